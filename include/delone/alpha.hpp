@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Alpha complexes of Delaunay and regular triangulations: which faces belong to an object that points sample.
+// Alpha complexes of Delaunay and regular triangulations: which faces belong to an object that is known by
+// sample points.
 #pragma once
 
 #include <delone/data.hpp>
@@ -18,14 +19,15 @@ namespace delone {
 /// The alpha values of the faces of one dimension. The *alpha value* of a face is the least squared radius of
 /// a sphere that is orthogonal to its vertices (without weights: that passes through them), and has no other
 /// vertex strictly inside: |x − p|² − w is at least the squared radius for the center x and every vertex (p,
-/// w). It is the alpha² from which on the face is in the alpha complex, and negative for some weights.
+/// w). The face is in the alpha complex if and only if alpha² is at least this value, which may be negative
+/// if there are weights.
 ///
 /// Each value is the least double that is not below the exact one (+infinity beyond the range of doubles). So
 /// for every double s, the face is in the complex of alpha² = s if and only if its value is ≤ s; equal exact
 /// values are equal doubles; no face has a greater value than a face that contains it.
 struct DELONE_EXPORT_TYPE FaceValues {
   Faces faces;
-  std::vector<double> values;  ///< as many as faces
+  std::vector<double> values;  ///< one per face
 };
 
 /// The faces of dimension j and their alpha values; none for k < j ≤ d.
@@ -36,13 +38,13 @@ struct DELONE_EXPORT_TYPE FaceValues {
 /// "Three-dimensional alpha shapes", doi:10.1145/174462.156635; with weights Edelsbrunner, "Weighted alpha
 /// shapes", UIUCDCS-R-92-1760 (1992). Ties are decided exactly: cospherical cells have equal values.
 ///
-/// Errors: invalid_argument (j < 0 or j > d), unsupported (a furthest-site triangulation, k > 63),
-/// out_of_memory, too_many. Cost: that of the faces of all dimensions from j on, and a solve of i equations
-/// for each of dimension i; integers where certified bounds in binary64 do not decide.
+/// Throws Errc::invalid_argument (j < 0 or j > d), unsupported (a furthest-site triangulation, k > 63),
+/// out_of_memory, too_many, cancelled. Cost: that of the faces of all dimensions from j on, and a solve of i
+/// equations for each of dimension i; integers if certified bounds in binary64 do not decide.
 DELONE_EXPORT FaceValues alpha_values(const Triangulation& triangulation, int j,
                                       const FaceOptions& options = {});
 
-/// The same for all dimensions 0 … k at once, at the cost of dimension 0.
+/// The same for all dimensions 0 … k at once, at the cost of dimension 0. Throws as alpha_values().
 DELONE_EXPORT std::vector<FaceValues> alpha_filtration(const Triangulation& triangulation,
                                                        const FaceOptions& options = {});
 
@@ -50,15 +52,17 @@ DELONE_EXPORT std::vector<FaceValues> alpha_filtration(const Triangulation& tria
 /// of at most r². Its union has the shape (the homotopy type) of the union of the balls of radius r about the
 /// points; with weights, of radius √(r² + w).
 ///
-/// Exact for every double r, also where r² is no double: in or out is never a matter of rounding.
+/// Exact for every double r, even if r² is not a double: rounding never decides.
 ///
-/// Refers to the triangulation, which must live as long and not change. Points that span a k-flat have their
-/// complex inside the flat. Errors: invalid_argument (a radius that is negative or NaN; infinity is that of
-/// all faces), unsupported (a furthest-site triangulation), out_of_memory. Cost: O(m·k³) for m cells.
+/// Refers to the triangulation, which must outlive it and not change. Points that span a k-flat have their
+/// complex inside the flat. Throws Errc::invalid_argument (a radius that is negative or NaN; infinity gives
+/// all faces), unsupported (a furthest-site triangulation), out_of_memory, cancelled. Cost: O(m·k³) for m
+/// cells.
 class DELONE_EXPORT AlphaComplex {
  public:
   AlphaComplex(const Triangulation& triangulation, double radius, const FaceOptions& options = {});
-  /// The faces with a value of at most `square`, of any sign: with weights there are some below 0.
+  /// The faces with a value of at most `square`, of any sign: weights make some values negative. Throws
+  /// Errc::invalid_argument for NaN, otherwise as the constructor.
   static AlphaComplex of_squared_radius(const Triangulation& triangulation, double square,
                                         const FaceOptions& options = {});
   AlphaComplex(AlphaComplex&&) noexcept;
@@ -67,23 +71,23 @@ class DELONE_EXPORT AlphaComplex {
 
   int dimension() const;         ///< d
   int affine_dimension() const;  ///< k
-  /// The cells that are in it, rows of Triangulation::to_data().cells, increasing.
+  /// Its cells, as rows of Triangulation::to_data().cells, increasing.
   std::span<const SignedIndex> cell_numbers() const;
   /// b×k point rows: the facets that belong to exactly one cell of the complex, in the order of these cells.
   /// They enclose the cells. With a point of the cell put first they are positively oriented when k = d > 1:
   /// counterclockwise as seen from outside in space.
   std::span<const SignedIndex> boundary() const;
   std::span<const SignedIndex> boundary_cells() const;  ///< b: the cell of each
-  /// s×k point rows, increasing in each: the facets that are in the complex while no cell that contains them
-  /// is. Also called singular.
+  /// s×k point rows, increasing in each: the singular facets, which are in the complex although no cell that
+  /// contains them is.
   std::span<const SignedIndex> singular_facets() const;
 
-  /// Its faces of dimension j; none for k < j ≤ d. Errors as of alpha_values(). Cost: that of the faces of
-  /// all dimensions from j on.
+  /// Its faces of dimension j; none for k < j ≤ d. Throws as alpha_values(). Cost: that of the faces of all
+  /// dimensions from j on.
   Faces faces(int j, const FaceOptions& options = {}) const;
 
-  /// The cells as a triangulation, with all points; neighbors are −1 beyond the boundary. These and
-  /// boundary_data() do not know what the coordinates are called: column_names are empty.
+  /// The cells as a triangulation, with all points; neighbors are −1 beyond the boundary. column_names are
+  /// empty here and in boundary_data().
   ComplexData to_data() const;
   /// The boundary as simplices of dimension k−1, with all points and without neighbors.
   ComplexData boundary_data() const;

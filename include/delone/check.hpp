@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Exact checks of results, our own or anybody's: triangulations, convex hulls, intersections of halfspaces,
-// Voronoi and power diagrams.
+// Exact checks of results of this or any other program: triangulations, convex hulls, intersections of
+// halfspaces, Voronoi and power diagrams.
 #pragma once
 
 #include <delone/data.hpp>
@@ -15,7 +15,7 @@
 
 namespace delone {
 
-/// One of the levels of check(), each of which presupposes those before it.
+/// One of the levels of check(); each presupposes those before it.
 struct DELONE_EXPORT_TYPE CheckLevel {
   int number = 0;            ///< from 1 on
   std::string_view name;     ///< "storage", …
@@ -28,41 +28,42 @@ DELONE_EXPORT std::span<const CheckLevel> check_levels();
 
 struct CheckOptions {
   static constexpr int all = std::numeric_limits<int>::max();
-  /// The number of the highest level to examine; `all`, and every number beyond the last level, is the last.
+  /// The number of the highest level to examine; `all` and every larger number than the last mean the last.
   int up_to = all;
-  /// At most so many threads; 0: as many as there are cores for this process, where the data are large enough
-  /// to gain by them. The report does not depend on it.
+  /// The most threads to use; 0: one per core of this process if the data are large enough to gain by it. The
+  /// report does not depend on it.
   unsigned threads = 1;
 
-  // The rest is for triangulations; of other data they must be as they are here.
+  // The following are for triangulations; for other data they must have their defaults.
 
   /// Require the one triangulation that the symbolic perturbation selects among those that ties allow.
   bool canonical = false;
-  /// Require cells that are oriented: coherently, and positively when k = d. Without, cells are sets of
-  /// vertices (Qhull and SciPy do not orient theirs), and level 4 requires that neighbors lie on different
-  /// sides of their common facet.
+  /// Require oriented cells: coherently, and positively when k = d. If false, cells are sets of vertices
+  /// (Qhull and SciPy do not orient theirs), and level 4 requires that neighbors lie on different sides of
+  /// their common facet.
   bool oriented = true;
   /// Require a furthest-site Delaunay triangulation: no point outside the sphere of a cell; points that are
-  /// not extreme are no vertices.
+  /// not extreme are not vertices.
   bool furthest_site = false;
 };
 
 struct CheckReport {
   bool ok = false;
-  CheckLevel reached;     ///< the highest level examined: the failing one, or the last that was wanted
+  CheckLevel reached;     ///< the highest level examined: the failing one, or the last one requested
   std::string violation;  ///< the first violation, naming rows of arrays; empty when ok
-  /// The rows of arrays that the violation is about, by kind.
+  /// The rows of the arrays that the violation concerns, by kind.
   std::vector<std::size_t> cells, points, vertices, halfspaces;
   /// Triangulations: facets whose two cells are exactly cospherical (found at level 5). Hulls: ridges whose
   /// two cells lie in one hyperplane (level 3).
   std::size_t ties = 0;
 };
 
-/// Examines data level after level, stopping at the first violation. Errors: invalid_argument (up_to < 1, or
-/// options of triangulations for other data), out_of_memory.
+/// Examines data level after level and stops at the first violation. A violation is a result, not an error.
+/// Throws Errc::invalid_argument (up_to < 1, or options of triangulations for other data), too_many,
+/// out_of_memory.
 ///
 /// Triangulations. Unknown neighbors are derived from the cells first. Levels 1–5 together prove the
-/// empty-sphere property of every cell against every vertex. Cost O(m·k³), and more where exact arithmetic is
+/// empty-sphere property of every cell against every vertex. Cost O(m·k³), and more if exact arithmetic is
 /// needed.
 ///   1 storage          array sizes; rows and neighbors in range; no repeated vertex in a cell
 ///   2 incidence        neighbors are mutual and share the facet; each facet in at most two cells; coherent
@@ -86,7 +87,7 @@ DELONE_EXPORT CheckReport check(const ComplexData& data, const CheckOptions& opt
 ///                      dimension is right
 DELONE_EXPORT CheckReport check(const HullData& data, const CheckOptions& options = {});
 
-/// Intersections of halfspaces, in integers and independently of how they were made; `lineality` and the dual
+/// Intersections of halfspaces, in integers and independently of the construction; `lineality` and the dual
 /// arrays, which are rounded, are not examined. The graph of a polyhedron is connected, so level 3 proves
 /// that no vertex is missing. Flat and empty intersections are examined by their witness only. Cost: v·m
 /// determinants for level 2; for level 3 the number of (k−1)-subsets of the rows of each vertex, times their
@@ -98,11 +99,12 @@ DELONE_EXPORT CheckReport check(const HullData& data, const CheckOptions& option
 ///                      and kinds are right: so nothing is missing
 DELONE_EXPORT CheckReport check(const IntersectionData& data, const CheckOptions& options = {});
 
-/// Voronoi diagrams, and power diagrams if there are weights. Numbers of vertices and regions, the order of
-/// ridges and rays and where cyclic lists start are free; so are directions around lists when k < d. From
-/// level 2 on the points are triangulated anew, that triangulation is examined, and the arrays are compared
-/// with its diagram: vertices by their sets of regions, rays by the sites of their hull facets, exactly.
-/// Cost: that of triangulating and of checking the triangulation. Further errors: bad_dimension, not_finite.
+/// Voronoi diagrams, and power diagrams if there are weights. The numbering of vertices and regions, the
+/// order of ridges and rays and the first entry of cyclic lists are free; for k < d so is the direction of
+/// cyclic lists. From level 2 on the points are triangulated again, that triangulation is examined, and the
+/// arrays are compared with its diagram: vertices by their sets of regions, rays by the sites of their hull
+/// facets, exactly. Cost: that of triangulating and of checking the triangulation. Also throws
+/// Errc::bad_dimension, not_finite and unsupported.
 ///   1 storage          array sizes; rows and vertices in range; −1 only first; nothing twice in a list
 ///   2 regions          each point is in the region of its site, or hidden; the vertices of all regions, in
 ///                      their order for k = 2

@@ -20,7 +20,8 @@ struct ComplexData;
 
 namespace detail {
 
-/// What a hardened build (DELONE_HARDENED) makes of an id or index out of range. Elsewhere it is undefined.
+/// What a hardened build (DELONE_HARDENED) does for an id or index out of range. In other builds the behavior
+/// is undefined.
 [[noreturn]] inline void throw_out_of_range(const char* what) {
   throw Error(Errc::invalid_argument, std::string(what) + " is out of range");
 }
@@ -28,7 +29,7 @@ namespace detail {
 }  // namespace detail
 
 /// The vertices or the neighbors of a cell: a random-access range of ids, by value. Refers to the complex,
-/// and is valid as long as it is. Takes no memory of its own; converts to a vector, which does.
+/// and is valid as long as the complex is. Allocates nothing; converts to a vector, which does.
 template <class Id>
 class CellLinks {
  public:
@@ -126,8 +127,8 @@ class DELONE_EXPORT Complex {
   };
 
   Complex() = default;
-  /// `cell_of_vertex`: by vertex id, `num_vertex_slots` entries, num_finite_vertices + 1 if that is 0;
-  /// invalid_cell where there is no vertex.
+  /// `cell_of_vertex`: by vertex id, invalid_cell for an id without a vertex; `num_vertex_slots` entries, or
+  /// num_finite_vertices + 1 if that is 0.
   Complex(const Links& links, int dimension, Index num_slots, Index num_finite_cells,
           Index num_infinite_cells, Index num_finite_vertices, const CellId* cell_of_vertex,
           Index num_vertex_slots = 0)
@@ -142,8 +143,8 @@ class DELONE_EXPORT Complex {
 
   /// k, the dimension of the cells; −1 for the complex of no points.
   int affine_dimension() const { return dimension_; }
-  /// Finite vertices. Their ids are 1 … num_vertices(), unless points are hidden or were removed: these leave
-  /// gaps among the ids.
+  /// The number of finite vertices. Their ids are 1 … num_vertices() unless points are hidden or were
+  /// removed, which leaves gaps.
   Index num_vertices() const { return num_finite_vertices_; }
   Index num_vertex_slots() const { return num_vertex_slots_; }  ///< size for payload arrays indexed by vertex
   Index num_finite_cells() const { return num_finite_cells_; }
@@ -184,10 +185,9 @@ class DELONE_EXPORT Complex {
     require(c);
     return {neighbor_ids(c), dimension_ + 1, false};
   }
-  /// Lets the processor fetch the vertices and neighbors of a cell into its caches, for use soon. No effect
-  /// on results.
+  /// Asks the processor to load the vertices and neighbors of a cell into its caches. No effect on results.
   void prefetch(CellId c) const { internal::prefetch(row(c)); }
-  /// The index, in neighbor i of c, of the vertex opposite the shared facet. O(k).
+  /// The index, in neighbor i of c, of the vertex opposite the shared facet. O(k). REQUIRES as neighbor().
   int mirror_index(CellId c, int i) const {
     // Two cells of a simplicial sphere share at most one facet, so the neighbor that is c is found once.
     const Index* const neighbors = neighbor_ids(neighbor(c, i));
@@ -211,7 +211,8 @@ class DELONE_EXPORT Complex {
       detail::throw_out_of_range("the id of a vertex");
     return cell_of_vertex_[delone::index(v)];
   }
-  /// All cells that contain v, finite and infinite. O(size of the star · k).
+  /// All cells that contain v, finite and infinite. O(size of the star · k). REQUIRES is_vertex(v), as link()
+  /// and adjacent_vertices() do.
   std::vector<CellId> star(VertexId v) const;
   /// The facets of the star of v that do not contain v, as (cell of the star, index of v). O(size of the star
   /// · k).
@@ -225,10 +226,10 @@ class DELONE_EXPORT Complex {
   std::vector<Facet> facets(bool with_infinite = false) const;
   /// The hull facets, as (finite cell, index of the vertex opposite the hull facet). O(cells).
   std::vector<Facet> hull_facets() const;
-  /// All finite faces of dimension j, 0 ≤ j ≤ k, as rows of j+1 increasing vertex ids, sorted. O(cells ·
-  /// C(k+1,j+1)) memory.
+  /// All finite faces of dimension j, as rows of j+1 increasing vertex ids, sorted. O(cells · C(k+1,j+1))
+  /// memory. Throws Errc::invalid_argument unless 0 ≤ j ≤ k.
   std::vector<VertexId> faces(int j) const;
-  /// All finite edges as pairs of increasing ids, sorted: faces(1).
+  /// All finite edges as pairs of increasing ids, sorted: faces(1), or none for k < 1.
   std::vector<VertexId> edges() const { return dimension_ < 1 ? std::vector<VertexId>{} : faces(1); }
 
  private:
@@ -314,14 +315,16 @@ inline Complex::CellRange Complex::infinite_cells() const { return {*this, Which
 
 /// The canonical hash of a triangulation: 128 bits that depend on the coordinates of the vertices and on the
 /// set of finite cells only; not on ids, order of insertion, seed, duplicates, or the sign of zeros. As 32
-/// hexadecimal digits. If vertices have different weights, it depends on these, too; on hidden points never.
+/// hexadecimal digits. If vertices have different weights, it depends on these, too; it never depends on
+/// hidden points.
 struct DELONE_EXPORT CanonicalHash {
   std::uint64_t high = 0, low = 0;
   friend bool operator==(const CanonicalHash&, const CanonicalHash&) = default;
   std::string hex() const;
 };
 
-/// The canonical hash of a plain triangulation. O(n·d + m·k).
+/// The canonical hash of a plain triangulation. O(n·d + m·k). Throws Errc::invalid_argument if the arrays
+/// disagree or a cell has a row that is not one of the points.
 DELONE_EXPORT CanonicalHash canonical_hash(const ComplexData& data);
 
 }  // namespace delone

@@ -25,7 +25,7 @@ struct Measure {
   double error = 0;
 };
 
-/// Where a point lies with respect to a hull, exactly.
+/// Where a point lies with respect to a hull, decided exactly.
 struct Containment {
   enum class Kind {
     inside,               ///< in the interior (of the hull within its flat)
@@ -34,9 +34,9 @@ struct Containment {
     outside_affine_hull,  ///< not in the affine hull (k < d)
   };
   Kind kind = Kind::outside_affine_hull;
-  /// A cell: outside, one that is visible from the query; on the boundary, one whose hyperplane contains it;
-  /// inside, one that the ray from an interior point through the query leaves by (any cell if the points span
-  /// so little that no double is found in the interior). −1 if there is none.
+  /// A cell. Outside: one that is visible from the query. On the boundary: one whose hyperplane contains the
+  /// query. Inside: one through which the ray from an interior point through the query leaves the hull (any
+  /// cell if no double is found in the interior). −1 if there is none.
   SignedIndex cell = -1;
   /// On the boundary: the extreme rows of the smallest face that contains the query, increasing. One row: the
   /// query is a vertex.
@@ -44,17 +44,18 @@ struct Containment {
 };
 
 struct HullInsertResult {
-  std::size_t row = 0;     ///< the row of the new point
-  bool inserted = false;   ///< the boundary has changed; false for a duplicate, an interior point, and some
-                           ///< boundary points
+  std::size_t row = 0;  ///< the row of the new point
+  /// The boundary has changed; false for a duplicate, an interior point, and some boundary points.
+  bool inserted = false;
   bool duplicate = false;  ///< equal to an earlier point
 };
 
-/// A convex polytope as the convex hull of points of R^d: what is true of it in every dimension.
-/// ConvexHull<D> makes one; functions for all dimensions take a `const Polytope&`.
+/// A convex polytope as the convex hull of points of R^d: what is true of it in every dimension. Make a
+/// ConvexHull<D>; functions for all dimensions take a `const Polytope&`.
 ///
-/// `const` members may be called from several threads at once. REQUIRES of queries finite coordinates;
-/// otherwise they throw Errc::not_finite, and Errc::bad_dimension unless there are d of them.
+/// `const` members may be called from several threads at once. Members with a query throw Errc::bad_dimension
+/// unless it has d coordinates, and not_finite. Members with a row throw invalid_argument unless row <
+/// num_points(). What is computed on first use throws out_of_memory if there is not enough memory.
 class DELONE_EXPORT Polytope {
  public:
   int dimension() const;           ///< d
@@ -73,14 +74,13 @@ class DELONE_EXPORT Polytope {
   /// Options::tolerance; 0 for an exact hull.
   double tolerance() const;
   /// No point is farther than this from the hull: a bound, rounded up, that is at most the tolerance. After
-  /// insert_extreme_points() the first call may cost an exact hull of the rows; data().max_distance is then
+  /// insert_extreme_points() the first call may compute an exact hull of the rows, and data().max_distance is
   /// the tolerance.
   double max_distance() const;
 
   /// The hull as arrays, without `points`; valid until the next insertion. Computed on first use after a
-  /// change, O(cells·k³) and more where cells share hyperplanes. The numbers, kinds and measures above and
-  /// below do not need it. Cells are numbered in no particular order; for k = 1 cell 0 is the lower end on
-  /// the axis.
+  /// change, O(cells·k³) and more if cells share hyperplanes. The numbers, kinds and measures above and below
+  /// do not need it. Cells are in no particular order; for k = 1 cell 0 is the lower end on the axis.
   ///
   /// `equations` are rounded: for every x of the hull the exact signed distance from the facet's hyperplane
   /// differs from that of the row, evaluated without error, by at most the entry of `equation_errors`. For k
@@ -91,8 +91,8 @@ class DELONE_EXPORT Polytope {
 
   /// The k-dimensional volume, and the (k−1)-dimensional volume of the boundary, each a compensated sum over
   /// the cells, both O(m·d³) together. The error bound covers the arithmetic to first order, with slack; it
-  /// is infinite where numbers overflow. For k = 1 the area is 2, the number of end points; for k < 1 both
-  /// are 0.
+  /// is infinite if numbers overflow. For k = 1 the area is 2, the number of end points; for k < 1 both are
+  /// 0.
   Measure volume() const;
   Measure area() const;
 
@@ -100,19 +100,20 @@ class DELONE_EXPORT Polytope {
   /// Σ(−1)^j·f_j = 1 − (−1)^k holds. Cost up to O(faces · facets · k), memory for all faces of one dimension.
   std::vector<std::size_t> f_vector() const;
 
-  /// Where q lies, exactly. Cost: a walk over cells.
+  /// Where the query lies, exactly. Cost: a walk over cells.
   Containment locate(const AnyPoint<>& query) const;
   bool contains(const AnyPoint<>& query) const;  ///< inside or on the boundary
 
-  /// The cells that are strictly visible from q, increasing: those whose hyperplane has q strictly beyond it.
-  /// Empty for a q of the hull or outside the affine hull. O(answer·k⁴).
+  /// The cells that are strictly visible from the query, increasing: those whose hyperplane has it strictly
+  /// on the outer side. Empty for a query in the hull or outside the affine hull. O(answer·k⁴).
   std::vector<SignedIndex> visible_cells(const AnyPoint<>& query) const;
-  /// The facets that are strictly visible from q, increasing.
+  /// The facets that are strictly visible from the query, increasing.
   std::vector<SignedIndex> visible_facets(const AnyPoint<>& query) const;
 
   /// Depends on the coordinates of the cells' vertices and the set of cells only: not on order, seed,
   /// duplicates, interior points.
   CanonicalHash hash() const;
+  /// What the hull has cost so far.
   Statistics statistics() const;
 
  protected:
@@ -144,26 +145,26 @@ class DELONE_EXPORT Polytope {
 /// is farther than ε from it; the distance is Euclidean, and the decision exact. So it is convex and
 /// watertight, and its vertices are rows of the input. max_distance() bounds the distances.
 ///
-/// Which vertices it has: First, those extreme points of all that are farther than ε from the hull of the
-/// others. Then the farthest point from what is there is added, while it is farther than ε. In the end
-/// points are dropped that the others cover, the last one first. So no vertex can be left out. The choice is
-/// a function of the set of points. A point that is no vertex is of the kind `interior` if it is strictly
-/// inside, otherwise `boundary`.
+/// Its vertices are chosen as follows. First, the extreme points that are farther than ε from the hull of all
+/// others. Then, while some point is farther than ε from the hull of the chosen ones, the farthest is added.
+/// Finally points that the others cover are dropped, the last one first. So no vertex can be omitted. The
+/// choice is a function of the set of points. A point that is not a vertex has the kind `interior` if it is
+/// strictly inside, otherwise `boundary`.
 ///
-/// Facets are then sets of cells. One begins with the largest cell that is in none. It grows across ridges
-/// while all its vertices are within ε of the hyperplane of that cell, which is that of `equations`. Facets,
-/// faces and ridges are those of these sets: where two facets meet there is one ridge, and a face is a set of
-/// vertices that some facets have in common. Euler's relation may fail for them if ε is not small beside the
-/// facets. num_cells(), hash(), volume(), area(), locate() and visible_cells() are about the cells. (A
-/// LowerHull with a tolerance has the exact facets of what it keeps.)
+/// Facets are then sets of cells. A facet begins with the largest cell that is not in one yet. It grows
+/// across ridges while all its vertices are within ε of the hyperplane of that cell, which is the one in
+/// `equations`. Facets, faces and ridges are those of these sets: two facets that meet share one ridge, and a
+/// face is a set of vertices that some facets have in common. Euler's relation may fail for them if ε is not
+/// small compared with the facets. num_cells(), hash(), volume(), area(), locate() and visible_cells() refer
+/// to the cells. (A LowerHull with a tolerance has the exact facets of the points that it keeps.)
 ///
-/// Points within ε of a flat of fewer dimensions, spanned by few points that are far apart, have their hull
-/// there. Cells are those of the projections on axes(); all points are still within ε of the vertices' hull
-/// in space. Queries within ε of the flat count as in it. Not every set within ε of some hyperplane is flat
-/// in this sense.
+/// If all points are within ε of a flat of fewer dimensions, spanned by a few points that are far apart, the
+/// hull lies in that flat. Cells are those of the projections on axes(); all points are still within ε of the
+/// vertices' hull in space. Queries within ε of the flat count as lying in it. Not every set within ε of some
+/// hyperplane is flat in this sense.
 ///
-/// insert() chooses anew at the first question that follows, at a cost of all extreme points; insert_range()
-/// at once. A tolerance larger than the extent of the points of a range, with those before it, along every
+/// After insert() the vertices are chosen again by the next query, at a cost that depends on all extreme
+/// points; insert_range() chooses them at once. A tolerance larger than the extent of all points along every
 /// axis is Errc::invalid_argument, unless all points are equal.
 ///
 /// Exact for all finite doubles. Flat input has the hull in its flat, k < d: for k = 1 two end points, each a
@@ -176,7 +177,8 @@ class ConvexHull : public Polytope {
   using Coordinates =
       std::span<const double, D == dynamic ? std::dynamic_extent : static_cast<std::size_t>(D)>;
 
-  /// The hull of no points. Throws Errc::bad_dimension unless dimension ≥ 1.
+  /// The hull of no points. Throws Errc::bad_dimension unless dimension ≥ 1, and invalid_argument for a
+  /// tolerance or time limit that is negative or not finite.
   explicit ConvexHull(int dimension, const Options& options = {}) requires(D == dynamic)
       : Polytope(dimension, options) {}
   explicit ConvexHull(const Options& options = {}) requires(D != dynamic) : Polytope(D, options) {}
@@ -199,26 +201,28 @@ class ConvexHull : public Polytope {
   /// A deep copy. Cost: that of copying the cells and the points. Throws Errc::out_of_memory.
   ConvexHull clone() const { return ConvexHull(detail::Clone{}, *this); }
 
-  /// Inserts points as the next rows. If it throws (not_finite, bad_dimension, cancelled, too_many,
-  /// out_of_memory), the hull is as it was. A point outside the affine hull of all earlier ones rebuilds it.
+  /// Inserts points as the next rows: all or none. A point outside the affine hull of all earlier ones makes
+  /// it rebuild everything. Throws Errc::not_finite, bad_dimension, cancelled, too_many, out_of_memory,
+  /// time_limit, and invalid_argument for a tolerance larger than the points; the hull is then unchanged.
   void insert_range(AnyPoints<D> points) {
     points.require_dimension(dimension());
     insert_coordinates(points.coordinates());
   }
-  /// Inserts the extreme ones of points, into a hull that is empty. Others may become rows, too, but all
-  /// vertices of cells are extreme: where many points lie in the hyperplanes of facets, there are far fewer
-  /// cells than with all points, and other ones. Returns which of the points each row is, in no particular
-  /// order; of equal points it is the first. Kinds and counts are those of the rows. Cost: one or two passes
-  /// over the points more than the hull of the extreme ones. Throws as above, and Errc::invalid_argument if
-  /// there are rows already.
+  /// Inserts the extreme points among the given ones into an empty hull. Others may become rows, too, but all
+  /// vertices of cells are extreme: if many points lie in the hyperplanes of facets, there are far fewer
+  /// cells than with all points, and different ones. Returns which of the points each row is, in no
+  /// particular order; of equal points it is the first. Kinds and counts refer to the rows. Cost: that of the
+  /// hull of the extreme points, and one or two passes over all points. Throws as insert_range(), and
+  /// Errc::invalid_argument if the hull has rows already.
   std::vector<SignedIndex> insert_extreme_points(AnyPoints<D> points) {
     points.require_dimension(dimension());
     return insert_extreme_coordinates(points.coordinates());
   }
-  /// Inserts one point as the next row; errors as above.
+  /// Inserts one point as the next row. Throws Errc::not_finite, bad_dimension, too_many, out_of_memory; the
+  /// hull is then unchanged.
   HullInsertResult insert(const AnyPoint<D>& point) { return insert_point(point); }
 
-  /// The coordinates of a row.
+  /// The coordinates of a row. Throws Errc::invalid_argument unless row < num_points().
   Coordinates point(std::size_t row) const { return Coordinates(Polytope::point(row)); }
   Containment locate(const AnyPoint<D>& query) const { return Polytope::locate(query.coordinates()); }
   bool contains(const AnyPoint<D>& query) const { return Polytope::contains(query.coordinates()); }

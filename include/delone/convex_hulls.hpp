@@ -13,32 +13,32 @@
 
 namespace delone {
 
-/// The hulls of h sets of points of R^d, one after the other. Rows are those of all points together, cells
-/// are numbered from 0 over all hulls.
+/// The hulls of h sets of points of R^d, one after the other. Rows are numbered over all points, cells over
+/// all hulls, both from 0.
 ///
 /// A set of affine dimension k = d has cells, the simplices of the boundary, with d vertices each; all of
 /// them are extreme. A flat set, k < d, has extreme points, and no cells.
 struct ConvexHulls {
   int dimension = 0;                        ///< d
   std::vector<int> affine_dimensions;       ///< h: k ≤ d; −1 for a set without points
-  std::vector<std::size_t> vertex_offsets;  ///< h+1: where the vertices of each hull begin
+  std::vector<std::size_t> vertex_offsets;  ///< h+1: the first vertex of each hull
   std::vector<SignedIndex> vertices;        ///< the extreme rows, increasing; of equal rows the first
-  std::vector<std::size_t> cell_offsets;    ///< h+1: where the cells of each hull begin
+  std::vector<std::size_t> cell_offsets;    ///< h+1: the first cell of each hull
   std::vector<SignedIndex> cells;           ///< m×d rows
   std::vector<SignedIndex> neighbors;       ///< m×d cells: neighbor i is opposite vertex i
-  std::vector<double> equations;            ///< m×(d+1): as HullData, the same for all cells of a facet
+  std::vector<double> equations;            ///< m×(d+1): as in HullData, equal for all cells of a facet
   std::vector<double> volumes;              ///< h: d-dimensional; 0 for flat sets
-  /// h: the (d−1)-dimensional volume of the boundary; of flat sets the limit, twice the volume within the
+  /// h: the (d−1)-dimensional volume of the boundary; for flat sets its limit: twice the volume within the
   /// flat if k = d−1, else 0.
   std::vector<double> areas;
 
   std::size_t size() const { return affine_dimensions.size(); }
 };
 
-/// The hulls of sets of points. Set i consists of the rows offsets[i] … offsets[i+1]−1. Exact as ConvexHull;
-/// a loop over small sets costs several times as much. Throws Errc::invalid_argument unless the offsets
-/// increase, weakly, from 0 to the number of points, and as ConvexHull; rows in errors are those of all
-/// points.
+/// The hulls of sets of points. Set i consists of the rows offsets[i] … offsets[i+1]−1. As exact as
+/// ConvexHull; a loop over small sets takes several times as long. Throws Errc::invalid_argument unless the
+/// offsets never decrease and run from 0 to the number of points, otherwise as ConvexHull; rows in errors are
+/// numbered over all points.
 DELONE_EXPORT ConvexHulls convex_hulls(const AnyPoints<>& points, int dimension,
                                        std::span<const std::size_t> offsets, const Options& options = {});
 

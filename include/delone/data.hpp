@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Results as plain arrays that own what they hold: what files hold (io.hpp), check() examines (check.hpp) and
-// the classes give with to_data(). No class is needed to use them.
+// Results as plain arrays that own their memory: what files hold (io.hpp), check() examines (check.hpp) and
+// to_data() of the classes returns.
 //
 // Rows are input rows, from 0 on. A list of lists is one array and its offsets: list i is entries
 // offsets[i] … offsets[i+1]−1.
@@ -19,7 +19,7 @@
 namespace delone {
 namespace detail {
 
-/// Whether a row of points was removed: it is at no vertex, and its coordinates are NaN.
+/// Whether a row of points was removed: it has no vertex, and its coordinates are NaN.
 inline bool is_removed(std::size_t row, std::span<const SignedIndex> vertices, std::span<const double> points,
                        int dimension) {
   if (vertices.size() <= row || vertices[row] >= 0 || points.empty()) return false;
@@ -35,10 +35,10 @@ struct DELONE_EXPORT_TYPE ComplexData {
   int affine_dimension = -1;       ///< k, dimension of the affine hull of the points; −1 when there is none
   std::vector<double> points;      ///< n×d, as given
   std::vector<SignedIndex> cells;  ///< m×(k+1), point rows; positively oriented when k = d
-  /// m×(k+1), neighbor i is opposite vertex i; −1 beyond the hull. May be empty: unknown.
+  /// m×(k+1), neighbor i is opposite vertex i; −1 outside the hull. May be empty: unknown.
   std::vector<SignedIndex> neighbors;
-  /// n, the row each point was merged into (itself for a vertex; −1: hidden, or removed). May be empty:
-  /// unknown. The coordinates of a row that was removed are NaN, and so is its weight.
+  /// n, the row that each point was merged into (itself for a vertex; −1: hidden or removed). May be empty:
+  /// unknown. The coordinates and the weight of a removed row are NaN.
   std::vector<SignedIndex> vertex_of_point;
   std::vector<double> weights{};            ///< n, of a regular triangulation; empty: points have no weights
   std::vector<std::string> column_names{};  ///< d, what the coordinates are called; empty: unknown
@@ -46,7 +46,7 @@ struct DELONE_EXPORT_TYPE ComplexData {
   std::size_t num_points() const {
     return dimension < 1 ? 0 : points.size() / static_cast<std::size_t>(dimension);
   }
-  /// Whether a row of the points was removed from the triangulation that this is a copy of.
+  /// Whether a row had been removed from the triangulation when this copy was made.
   bool is_removed(std::size_t row) const {
     return detail::is_removed(row, vertex_of_point, points, dimension);
   }
@@ -55,7 +55,7 @@ struct DELONE_EXPORT_TYPE ComplexData {
   }
 };
 
-/// What an input row is to the convex hull. Exactly one of them holds.
+/// The role of an input row in the convex hull. Each row has exactly one.
 enum class PointKind : std::uint8_t {
   extreme,    ///< a vertex of the polytope: in no segment between two other points of the hull
   boundary,   ///< on the boundary, in the relative interior of a face of dimension 1 … k−1
@@ -65,13 +65,13 @@ enum class PointKind : std::uint8_t {
 
 /// A convex hull; k is the affine dimension.
 ///
-/// A *cell* is a simplex of the boundary, k vertices; a *facet* is a facet of the polytope, which consists of
-/// one cell or, where more than k points lie in its hyperplane, of several. Faces are given by their extreme
+/// A *cell* is a simplex of the boundary, with k vertices. A *facet* is a facet of the polytope; it consists
+/// of one cell, or of several if more than k points lie in its hyperplane. Faces are given by their extreme
 /// rows, increasing.
 struct DELONE_EXPORT_TYPE HullData {
   int dimension = 0;           ///< d
   int affine_dimension = -1;   ///< k
-  std::vector<double> points;  ///< n×d, as given; may be left out
+  std::vector<double> points;  ///< n×d, as given; may be empty
   /// m×k: for x inside, (x, vertices of a cell) is positively oriented on the axes, for k > 1.
   std::vector<SignedIndex> cells;
   std::vector<SignedIndex> neighbors;                      ///< m×k cells: neighbor i is across the ridge
@@ -98,14 +98,14 @@ struct DELONE_EXPORT_TYPE HullData {
   std::size_t num_ridges() const { return ridge_facets.size() / 2; }
 };
 
-/// What the points that satisfy all inequalities are.
+/// What the points that satisfy all inequalities form.
 enum class IntersectionState : std::uint8_t {
   full,   ///< a polyhedron with interior points
   flat,   ///< some points, but none strictly inside all halfspaces: they lie in a hyperplane
   empty,  ///< none
 };
 
-/// What a row is to the intersection. Exactly one of them holds.
+/// The role of a row in the intersection. Each row has exactly one.
 enum class HalfspaceKind : std::uint8_t {
   /// Its hyperplane contains a facet: the intersection would be larger without it (and its duplicates).
   facet,
@@ -115,7 +115,7 @@ enum class HalfspaceKind : std::uint8_t {
   trivial,    ///< a normal of zeros and an offset ≤ 0: no condition at all
 };
 
-/// An intersection of halfspaces. Where state is not `full`, only the members up to `witness` are filled.
+/// An intersection of halfspaces. If the state is not `full`, only the members up to `witness` are filled.
 ///
 /// k, the rank of the normals, is d unless the intersection contains lines. With k < d it is the sum of the
 /// linear space of `lineality` and of a polyhedron in k of the coordinates, `axes`; vertices, directions and
@@ -182,7 +182,8 @@ struct DELONE_EXPORT_TYPE IntersectionData {
   }
 };
 
-/// A Voronoi diagram, or a power diagram (with weights): what the members of these names of the class give.
+/// A Voronoi diagram, or a power diagram (with weights). Members mean what members of the same name of
+/// Diagram mean.
 struct DELONE_EXPORT_TYPE VoronoiData {
   int dimension = 1, affine_dimension = -1;  ///< d and k
   std::vector<double> points;   ///< n×d, hidden points included; NaN for rows that were not inserted

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The C interface: all of delone for C99, and for every language that can call C.
  *
- * Objects. A product (a triangulation, a hull, a diagram), what a file holds, a report, a list of answers:
- * each is a delone_object, made by a function that takes a `delone_object**` last, and ended by
- * delone_free(). Objects keep what they need: they may be freed in any order. Arguments
- * may be freed after the call.
+ * Objects. A product (a triangulation, a hull, a diagram), the contents of a file, a report, a list of
+ * answers: each is a delone_object, made by a function that takes a `delone_object**` last, and released by
+ * delone_free(). Objects keep what they need: they may be freed in any order. Arguments may be freed after
+ * the call.
  *
- * Members. What an object holds is read by name, with the names that docs/formats.md and the Python module
- * use: delone_get_array(t, "cells", &a). The list is below, at delone_object; delone_member() enumerates it.
+ * Members. The members of an object are read by name, with the names that docs/formats.md and the Python
+ * module use: delone_get_array(t, "cells", &a). The list is below, at delone_object; delone_member()
+ * enumerates it.
  *
  * Rows. Points are named by input rows, cells by rows of the array "cells", both from 0; -1 is none. Numbers
  * in arguments and the caller's arrays of rows and cells are always int64_t. Ids in borrowed arrays are 4 or
@@ -19,15 +20,15 @@
  *
  * Errors. Functions that can fail return a delone_status, DELONE_OK = 0 on success. After a failure
  * delone_error_message() says what was wrong and where, `*object` is NULL, other output is unspecified, and
- * objects are as they were before the call. Unlucky input (flat, duplicate, empty) is a result, no error. No
- * exception leaves the library, and it prints nothing. Arguments that are NULL, or an object of another kind,
- * are DELONE_INVALID_ARGUMENT (DELONE_UNSUPPORTED from delone_insert(), delone_clone(), delone_check() and
- * delone_write()); an object that was freed, a pointer to too few elements, and rows out of range
- * are not noticed: behavior is undefined.
+ * objects are unchanged. Degenerate input (flat, duplicate, empty) is a result, not an error. No exception
+ * leaves the library, and it prints nothing. A NULL argument, or an object of another kind, is
+ * DELONE_INVALID_ARGUMENT (DELONE_UNSUPPORTED from delone_insert(), delone_clone(), delone_check() and
+ * delone_write()). A freed object, a pointer to too few elements, and rows out of range are not detected: the
+ * behavior is undefined.
  *
- * Threads. Different objects may be used in different threads. One object may be used by several at once as
- * long as none changes it: insert and free it alone. Error and progress function belong to the calling
- * thread.
+ * Threads. Different objects may be used in different threads. Several threads may use one object at once as
+ * long as none changes it; only one may insert into it or free it, while no other uses it. The error and the
+ * progress function belong to the calling thread.
  *
  * ABI. Within one major version (before 1.0: one minor) functions and constants are only added, and the one
  * struct, delone_array, stays as it is. */
@@ -53,7 +54,7 @@ extern "C" {
 
 /* ---- Status, errors, progress -------------------------------------------------------------------------- */
 
-/* What functions return. 1 to 10 and 12 are delone::Errc of the C++ interface. */
+/* The results of functions. 1 to 10 and 12 are delone::Errc of the C++ interface. */
 typedef enum delone_status {
   DELONE_OK = 0,
   DELONE_NOT_FINITE = 1,       /* a number is NaN or infinite; delone_error_rows() names the rows */
@@ -63,7 +64,7 @@ typedef enum delone_status {
   DELONE_CANCELLED = 5,        /* the progress function asked to stop */
   DELONE_INVALID_ARGUMENT = 6, /* NULL, an object of another kind, an unknown name, a value out of range */
   DELONE_CANNOT_OPEN = 7,      /* a file could not be opened or created */
-  DELONE_BAD_FORMAT = 8,       /* a file is not what its format promises; the message names line or row */
+  DELONE_BAD_FORMAT = 8,       /* a file violates its format; the message names the line or row */
   DELONE_CANNOT_WRITE = 9,     /* a file could not be written completely */
   DELONE_UNSUPPORTED = 10,     /* a format, or an operation on this kind of object, that is not available */
   DELONE_INTERNAL_ERROR = 11,  /* a fault of the library; please report it */
@@ -74,40 +75,39 @@ typedef enum delone_status {
 DELONE_C_API const char* delone_version(void);
 /* The width of ids in borrowed arrays: 4 (DELONE_INT32) or 8 (DELONE_INT64). */
 DELONE_C_API int delone_index_bytes(void);
-/* "ok", "not_finite", ... for a status; "unknown" for another number. */
+/* The name of a status: "ok", "not_finite", ...; "unknown" for another number. */
 DELONE_C_API const char* delone_status_name(int status);
 
-/* The message of the last call of this thread that failed, UTF-8; "" if none has. Valid until the next one
- * fails in this thread. Languages whose tasks move between threads read it before they yield. */
+/* The message of the last call that failed in this thread, in UTF-8; "" if none has. Valid until the next
+ * failure in this thread. Languages whose tasks move between threads must read it before they yield. */
 DELONE_C_API const char* delone_error_message(void);
-/* The input rows which that error is about: their number, and in *rows (if rows is not NULL) the rows, valid
- * as long as the message. */
+/* The input rows that this error concerns: returns their number and, if rows is not NULL, sets *rows to them;
+ * valid as long as the message. */
 DELONE_C_API size_t delone_error_rows(const size_t** rows);
 
-/* Called in the thread that calls the library, and no other, about every 20 ms, with the fraction done, 0 to
- * 1 and never decreasing, of constructions; 0 where it is not known. A result that is not 0 stops the call,
- * which then returns DELONE_CANCELLED; calls that compute little ask at least once. It must return: no
- * exception, no longjmp. It may call the library, but not with the object at work; such calls do not ask it.
+/* Called about every 20 ms by the thread that called the library, and by no other, with the fraction done of
+ * a construction, 0 to 1 and never decreasing, or 0 if it is not known. A nonzero result stops the call,
+ * which then returns DELONE_CANCELLED; short calls call it at least once. It must return: no exception, no
+ * longjmp. It may call the library, but not with the object at work; such calls do not call it.
  */
 typedef int (*delone_progress)(double fraction, void* user_data);
 
-/* From now on all calls of this thread that take long ask `progress`; none, if that is NULL (as at first). */
+/* From now on all long calls of this thread call `progress`; NULL (the default): nothing is called. */
 DELONE_C_API void delone_set_progress(delone_progress progress, void* user_data);
 
 /* ---- Options ------------------------------------------------------------------------------------------- */
 
 /* clang-format off */
-/* Options by name. Wherever they are passed NULL means the defaults. A call reads the options that it has a
- * use for, which are named beside it, and ignores others, so that one set may serve a whole program. Results
- * depend on none of the first three.
+/* Options by name. NULL always stands for the defaults. A call reads the options named in its description and
+ * ignores others, so that one set may serve a whole program. Results do not depend on the first three.
  *
- *   integer  threads 1          at most so many threads; 0: as many as there are cores
+ *   integer  threads 1          the most threads to use; 0: one per core
  *   integer  seed 0             of the insertion order
  *   text     order "automatic"  of insertion: also "as_given", "shuffled"
- *   integer  memory_limit 0     of triangulations, hulls and intersections: bytes that the process may have in
+ *   integer  memory_limit 0     of triangulations, hulls and intersections: the most bytes that the process may
  *                               use, OUT_OF_MEMORY beyond; 0: no limit
- *   real     time_limit 0       of the same: seconds for the call that builds it, TIME_LIMIT beyond; 0: none
- *   real     tolerance 0        a distance >= 0, with a meaning for hulls, diagrams and queries; 0 is exact
+ *   real     time_limit 0       of the same: the most seconds to build one, TIME_LIMIT beyond; 0: none
+ *   real     tolerance 0        of hulls, diagrams and queries: a distance >= 0; 0 is exact
  *   text     outside "fill"     of queries outside the convex hull: also "nearest", "error", "project"
  *   real     fill NaN           the value of interpolations there, for "fill"
  *   integer  up_to 0            of checks: the highest level to examine; 0: all
@@ -115,26 +115,26 @@ DELONE_C_API void delone_set_progress(delone_progress progress, void* user_data)
  *   integer  oriented 1         of checks: 0 takes cells as sets, as Qhull and SciPy have them
  *   integer  furthest_site 0    of checks: 1 asks for a furthest-site triangulation; known of those made here
  *   text     format ""          of files that are read; "": by the extension
- *   text     columns            of files of points: a name, a number from 0, or a range as 2-5. Each call
- *                               adds one; NULL removes all; none stands for all
- *   integer  max_stream_bytes   the most that is read of a pipe, 4 GiB at first
+ *   text     columns            of files of points: a name, a number from 0, or a range such as 2-5. Each
+ *                               call adds one; NULL removes all; none: all columns
+ *   integer  max_stream_bytes   the most that is read from a pipe; 4 GiB by default
  *
  * Of tiles alone:
  *
  *   integer  memory 0           bytes; 0: three quarters of what is free
  *   integer  tiles 0            their number; 0: as few as the memory allows
  *   integer  weighted 0         1: a column holds weights
- *   text     weights ""         which column of a file does; "": the last
- *   integer  raw 0              N > 0: the file is nothing but little-endian doubles, N in a row
- *   integer  resume 1           0 begins again
- *   integer  vtu 0, hdf5 0      1 writes these files, too */
+ *   text     weights ""         the column of a file with the weights; "": the last
+ *   integer  raw 0              N > 0: the file consists of little-endian doubles, N in a row
+ *   integer  resume 1           0: start again from the beginning
+ *   integer  vtu 0, hdf5 0      1: also write these files */
 /* clang-format on */
 typedef struct delone_options delone_options;
 
 DELONE_C_API int delone_options_new(delone_options** options);
-DELONE_C_API void delone_options_free(delone_options* options); /* NULL: nothing happens */
-/* DELONE_INVALID_ARGUMENT for a name that there is not, of another type, and for a value out of range. Texts
- * are copied. An integer may be given where a real number is expected. */
+DELONE_C_API void delone_options_free(delone_options* options); /* NULL: no effect */
+/* DELONE_INVALID_ARGUMENT for an unknown name, an option of another type, and a value out of range. Texts are
+ * copied. delone_set_integer() may set a real option. */
 DELONE_C_API int delone_set_integer(delone_options* options, const char* name, int64_t value);
 DELONE_C_API int delone_set_real(delone_options* options, const char* name, double value);
 DELONE_C_API int delone_set_text(delone_options* options, const char* name, const char* value);
@@ -142,8 +142,8 @@ DELONE_C_API int delone_set_text(delone_options* options, const char* name, cons
 /* ---- Objects and their members ------------------------------------------------------------------------- */
 
 /* clang-format off */
-/* The kinds of objects and their members. A + marks members that objects of the second name, which were read
- * or given as arrays, have too. There are n rows of d coordinates, k is the affine dimension, m the number of
+/* The kinds of objects and their members. A + marks members that the second kind also has: objects that were
+ * read or given as arrays. There are n rows of d coordinates, k is the affine dimension, m the number of
  * cells. A list of lists is an array and its offsets: list i is entries offsets[i] ... offsets[i+1]-1. Arrays
  * are of doubles or of ids (see delone_index_bytes()), others as marked.
  *
@@ -152,7 +152,7 @@ DELONE_C_API int delone_set_text(delone_options* options, const char* name, cons
  *            num_infinite_cells
  *   text     hash+: 32 hexadecimal digits that depend on vertices and cells only
  *   array    points+ n x d; weights+ n (regular); cells+ m x (k+1) rows, positively oriented when k = d;
- *            neighbors+ m x (k+1) cells: number i is opposite vertex i, -1 beyond the hull;
+ *            neighbors+ m x (k+1) cells: number i is opposite vertex i, -1 outside the hull;
  *            vertex_of_point+ n rows, -1: hidden; edges e x 2 rows; hull_facets h x k rows; axes k (int32)
  *   trimmed: array kept (uint8), of each cell of the whole; orphans; real depth, lost_volume
  *
@@ -197,11 +197,10 @@ DELONE_C_API int delone_set_text(delone_options* options, const char* name, cons
  *            point_region+ n; ray_vertices+ u; ray_directions+ u x d; ray_points+ u x k; region_points:
  *            the row of each region; region_volumes; ridge_volumes
  *
- * "points" (read)       integer dimension num_points; array points n x d
- * "interpolator"        integer dimension columns
- * "lists" (of queries)  array offsets q+1 (int64), and those that the query names
- * "report" (of checks)  integer ok level ties; text level_name level_meaning violation (empty if ok is 1);
- *                       array cells, points, vertices, halfspaces (int64): what the violation is about
+ * "points" (read) integer dimension num_points; array points n x d "interpolator" integer dimension columns
+ * "lists" (of queries) array offsets q+1 (int64), and the arrays that the query names "report" (of checks)
+ * integer ok level ties; text level_name level_meaning violation (empty if ok is 1);
+ *                       array cells, points, vertices, halfspaces (int64): what the violation concerns
  *
  * "tiles", of t parts
  *   integer  dimension affine_dimension weighted num_points num_vertices num_duplicates num_hidden num_cells
@@ -214,15 +213,15 @@ DELONE_C_API int delone_set_text(delone_options* options, const char* name, cons
  *   array    points v x d; weights; cells m x (k+1), neighbors m x (k+1) (int32); rows, seams, own_rows,
  *            vertex_of_row (int64)
  *
- * What members mean in full is said in the C++ headers: data.hpp, convex_hull.hpp, voronoi.hpp, check.hpp and
- * tiles.hpp. */
+ * The C++ headers data.hpp, convex_hull.hpp, voronoi.hpp, check.hpp and tiles.hpp describe the members in
+ * full. */
 /* clang-format on */
 typedef struct delone_object delone_object;
 
-/* Ends an object, and with it all that was borrowed from it. NULL: nothing happens. */
+/* Releases an object, which invalidates everything borrowed from it. NULL: no effect. */
 DELONE_C_API void delone_free(delone_object* object);
-/* A deep copy: of triangulations, hulls, intersections and diagrams that were made, not read. Of others
- * DELONE_UNSUPPORTED. */
+/* A deep copy of a triangulation, hull, intersection or diagram that was made, not read. DELONE_UNSUPPORTED
+ * for others. */
 DELONE_C_API int delone_clone(const delone_object* object, delone_object** copy);
 /* The kind of an object, as in the list above; "" for NULL. */
 DELONE_C_API const char* delone_kind(const delone_object* object);
@@ -239,12 +238,12 @@ typedef struct delone_array {
 
 enum { DELONE_ARRAY = 1, DELONE_INTEGER = 2, DELONE_REAL = 3, DELONE_TEXT = 4 }; /* of members */
 
-/* The name of member number i, and in *type (if type is not NULL) its type; NULL if there are not so many. */
+/* The name of member number i, and in *type (if type is not NULL) its type; NULL if there is no member i. */
 DELONE_C_API const char* delone_member(const delone_object* object, size_t i, int* type);
 
 /* Members by name. DELONE_INVALID_ARGUMENT if the object has none of that name and type. Arrays and texts are
- * borrowed: they are made at the first question, at the cost of the C++ member of that name, and valid until
- * the object is changed or freed. */
+ * borrowed: they are made by the first call, at the cost of the C++ member of that name, and valid until the
+ * object is changed or freed. Making them may return DELONE_OUT_OF_MEMORY and DELONE_CANCELLED. */
 DELONE_C_API int delone_get_array(const delone_object* object, const char* name, delone_array* array);
 DELONE_C_API int delone_get_integer(const delone_object* object, const char* name, int64_t* value);
 DELONE_C_API int delone_get_real(const delone_object* object, const char* name, double* value);
@@ -253,9 +252,10 @@ DELONE_C_API int delone_get_text(const delone_object* object, const char* name, 
 /* ---- Products ------------------------------------------------------------------------------------------ */
 
 /* The Delaunay, furthest-site Delaunay and regular (weighted Delaunay) triangulation of n points of R^d:
- * exact for all finite doubles, a function of the set of points. Options: threads, seed, order. Errors:
- * NOT_FINITE, BAD_DIMENSION, TOO_MANY, OUT_OF_MEMORY, CANCELLED. Cost: O(n) expected for uniform points of a
- * fixed dimension, O(n^ceil(d/2)) at worst. `weights`: n of them. */
+ * exact for all finite doubles, a function of the set of points. `weights`: n numbers. Options: threads,
+ * seed, order, memory_limit, time_limit. Errors: NOT_FINITE, BAD_DIMENSION, TOO_MANY, OUT_OF_MEMORY,
+ * TIME_LIMIT, CANCELLED. Cost: O(n) expected for uniform points of a fixed dimension, O(n^ceil(d/2)) at
+ * worst. */
 DELONE_C_API int delone_delaunay(const double* points, size_t num_points, int dimension,
                                  const delone_options* options, delone_object** object);
 DELONE_C_API int delone_furthest_site(const double* points, size_t num_points, int dimension,
@@ -263,9 +263,9 @@ DELONE_C_API int delone_furthest_site(const double* points, size_t num_points, i
 DELONE_C_API int delone_regular(const double* points, const double* weights, size_t num_points, int dimension,
                                 const delone_options* options, delone_object** object);
 
-/* The convex hull of n points of R^d. Options: threads, seed, order, tolerance: no point is farther than that
- * from the hull. Errors as above, INVALID_ARGUMENT for a tolerance that is negative, not finite, or larger
- * than the set. */
+/* The convex hull of n points of R^d. Options: those above, and tolerance: no point is farther than that from
+ * the hull. Errors as above, INVALID_ARGUMENT for a tolerance that is negative, not finite, or larger than
+ * the set. */
 DELONE_C_API int delone_convex_hull(const double* points, size_t num_points, int dimension,
                                     const delone_options* options, delone_object** object);
 
@@ -276,44 +276,42 @@ DELONE_C_API int delone_convex_hulls(const double* points, size_t num_points, in
                                      const size_t* offsets, size_t num_sets, const delone_options* options,
                                      delone_object** object);
 
-/* The lower (upper) part of the convex hull with respect to the last coordinate, the height; the other ones
- * are the composition. d >= 2. Options: threads, seed, order, tolerance. Errors as for the convex hull. */
+/* The lower (upper) part of the convex hull with respect to the last coordinate, the height; the others are
+ * the composition. d >= 2. Options and errors as for the convex hull. */
 DELONE_C_API int delone_lower_hull(const double* points, size_t num_points, int dimension,
                                    const delone_options* options, delone_object** object);
 DELONE_C_API int delone_upper_hull(const double* points, size_t num_points, int dimension,
                                    const delone_options* options, delone_object** object);
 
 /* The intersection of halfspaces n.x + c <= 0: rows (n, c) of d+1 numbers. `interior_point`: d numbers,
- * strictly inside all of them (otherwise INVALID_ARGUMENT), or NULL: it is found. An intersection without
- * interior points is a result. Options: threads, seed, order. Errors as for triangulations. */
+ * strictly inside all of them (otherwise INVALID_ARGUMENT), or NULL: the library finds one. An intersection
+ * without interior points is a result. Options and errors as for triangulations. */
 DELONE_C_API int delone_halfspace_intersection(const double* halfspaces, size_t num_halfspaces, int dimension,
                                                const double* interior_point, const delone_options* options,
                                                delone_object** object);
 
-/* The Voronoi diagram of a "delaunay", the power diagram of a "regular" triangulation: data of its own.
- * Options: threads, tolerance: vertices and ridges not larger than that are left out. Errors:
- * INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
+/* The Voronoi diagram of a "delaunay", the power diagram of a "regular" triangulation. It owns its data.
+ * Options: threads, tolerance: smaller vertices and ridges are left out. Errors: INVALID_ARGUMENT,
+ * OUT_OF_MEMORY, CANCELLED. */
 DELONE_C_API int delone_voronoi(const delone_object* triangulation, const delone_options* options,
                                 delone_object** object);
 
-/* A triangulation that was made, without cells at its border that are so thin that every removed point is
- * within `tolerance` of what remains: a "triangulation". Errors: INVALID_ARGUMENT, OUT_OF_MEMORY,
- * CANCELLED. */
+/* Removes thin cells at the border of a triangulation that was made, such that every removed point is within
+ * `tolerance` of a remaining cell: a "triangulation". Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
 DELONE_C_API int delone_trim(const delone_object* triangulation, double tolerance, delone_object** object);
 
 /* Adds rows to a triangulation, a convex hull or an intersection of halfspaces that was made: all or, after
- * an error, none. `rows`: num_rows x d numbers, x (d+1) for halfspaces. `weights`: num_rows, for "regular"
- * only, otherwise NULL. Either may be an array of the object. Ends what was borrowed from the object, and the
- * use of interpolators of it. The next query numbers the cells anew, which passes over all of them: insert in
- * batches. Errors as for the product. */
+ * an error, none. `rows`: num_rows x d numbers, x (d+1) for halfspaces. `weights`: num_rows numbers for
+ * "regular", otherwise NULL. Both may be arrays of the object. Invalidates what was borrowed from the object,
+ * and its interpolators. The next query renumbers all cells: insert in batches. Errors as for the product. */
 DELONE_C_API int delone_insert(delone_object* object, const double* rows, size_t num_rows,
                                const double* weights);
 
 /* ---- Queries: in batches, answered exactly ------------------------------------------------------------- */
 
-/* Of triangulations, hulls and diagrams that were made. `queries` are num_queries x d numbers, finite. Output
- * goes to arrays of the caller. Options of all: threads. Errors of all: NOT_FINITE, with the rows of the
- * queries; INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. Batches are faster than single queries. */
+/* For triangulations, hulls and diagrams that were made. `queries`: num_queries x d finite numbers. Output
+ * goes to arrays of the caller. All have the option threads and the errors NOT_FINITE, with the rows of the
+ * queries, INVALID_ARGUMENT, OUT_OF_MEMORY and CANCELLED. Batches are faster than single queries. */
 
 /* Where a query lies. */
 enum {
@@ -324,14 +322,14 @@ enum {
   DELONE_OUTSIDE_AFFINE_HULL = 4 /* not in the flat of the points (k < d) */
 };
 
-/* Locates queries; each output has an entry for each query, and may be NULL if it is not wanted.
+/* Locates queries; each output has an entry for each query, and may be NULL if it is not needed.
  *   cells        of a triangulation a cell that contains the query; of a convex hull one that is visible from
- *                it (outside), has it in its hyperplane (on the boundary) or lies beyond it, seen from the
+ *                it (outside), has it in its hyperplane (on the boundary) or lies behind it, seen from the
  *                middle (inside); of a lower or upper hull, where queries are compositions of d-1 numbers,
  *                one whose domain contains it; otherwise -1
  *   kinds        DELONE_INSIDE ...; not of lower and upper hulls
  *   barycentric  k+1 numbers each, of triangulations only: coordinates in the cell, NaN outside
- *   distances    of triangulations only: a bound on how far the point that is answered for is from the query
+ *   distances    of triangulations only: a bound on the distance of the point that answers from the query
  * Options of triangulations: tolerance, outside = "fill" or "project" (the nearest point of the hull
  * answers). */
 DELONE_C_API int delone_locate(const delone_object* object, const double* queries, size_t num_queries,
@@ -339,13 +337,13 @@ DELONE_C_API int delone_locate(const delone_object* object, const double* querie
                                double* barycentric, double* distances);
 
 /* The `count` nearest vertices of each query, nearest first, as rows: num_queries x count, -1 if there are
- * fewer. Of equally near ones the smaller row first. Of a "regular" triangulation by power. UNSUPPORTED for
- * "furthest_site". */
+ * fewer. Of equally near ones the smaller row comes first. By power for a "regular" triangulation.
+ * UNSUPPORTED for "furthest_site". */
 DELONE_C_API int delone_nearest(const delone_object* triangulation, const double* queries, size_t num_queries,
                                 size_t count, const delone_options* options, int64_t* rows);
 
 /* Lists with the array "cells" (int64): the cells within a finite radius >= 0 of each query, increasing. All
- * such cells, and maybe some that are farther by a rounding. */
+ * such cells, and maybe some that are farther by a rounding error. */
 DELONE_C_API int delone_cells_within(const delone_object* triangulation, const double* queries,
                                      size_t num_queries, double radius, const delone_options* options,
                                      delone_object** lists);
@@ -358,8 +356,8 @@ DELONE_C_API int delone_natural_neighbors(const delone_object* triangulation, co
                                           delone_object** lists);
 
 /* Interpolation of values at the points of a triangulation: num_points x columns numbers. Linear in every
- * cell; or by natural neighbors ("delaunay" only), if `smooth` is not 0 with the gradients of Sibson's
- * interpolant, which are num_points x columns x d numbers, or NULL: estimated. */
+ * cell; or by natural neighbors ("delaunay" only); if `smooth` is not 0, with the gradients of Sibson's
+ * interpolant: num_points x columns x d numbers, or NULL: estimated. */
 DELONE_C_API int delone_linear_interpolator(const delone_object* triangulation, const double* values,
                                             size_t columns, delone_object** interpolator);
 DELONE_C_API int delone_natural_neighbor_interpolator(const delone_object* triangulation,
@@ -400,24 +398,24 @@ DELONE_C_API int delone_in_sphere(const double* points, const double* query, int
 
 /* ---- Checks and files ---------------------------------------------------------------------------------- */
 
-/* Proves a result exactly, level after level: "report". A violation is an answer (ok is 0), no error. Of a
- * lower or upper hull the convex hull that it is a part of is examined. Options: up_to, threads; of
+/* Proves a result exactly, level after level: "report". A violation is an answer (ok is 0), not an error. For
+ * a lower or upper hull the convex hull that contains it is examined. Options: up_to, threads; of
  * triangulations canonical, oriented, furthest_site. For the levels see check.hpp. */
 DELONE_C_API int delone_check(const delone_object* object, const delone_options* options,
                               delone_object** report);
 
-/* A "triangulation" of cells that come from elsewhere, to be checked, hashed or written: num_cells x (k+1)
- * rows. `weights`: n, or NULL. Examines nothing but that rows are in range (otherwise INVALID_ARGUMENT). */
+/* A "triangulation" of the caller's cells, to be checked, hashed or written: num_cells x (k+1) rows.
+ * `weights`: n numbers, or NULL. Examines only whether rows are in range (otherwise INVALID_ARGUMENT). */
 DELONE_C_API int delone_triangulation_of_cells(const double* points, const double* weights, size_t num_points,
                                                int dimension, const int64_t* cells, size_t num_cells,
                                                int affine_dimension, delone_object** object);
 
-/* What a file holds: "triangulation", "hull", "intersection" or "diagram"; .npz, .json and .off. Paths are
- * UTF-8; "-" is standard input or output. Options: format, max_stream_bytes. Errors: CANNOT_OPEN, BAD_FORMAT,
- * BAD_DIMENSION, NOT_FINITE, UNSUPPORTED, OUT_OF_MEMORY. */
+/* The contents of a file: "triangulation", "hull", "intersection" or "diagram"; .npz, .json and .off. Paths
+ * are UTF-8; "-" is standard input or output. Options: format, max_stream_bytes. Errors: CANNOT_OPEN,
+ * BAD_FORMAT, BAD_DIMENSION, NOT_FINITE, UNSUPPORTED, OUT_OF_MEMORY. */
 DELONE_C_API int delone_read(const char* path, const delone_options* options, delone_object** object);
-/* Writes a triangulation, hull, intersection or diagram: whole, or not at all. `format`: NULL or "" for the
- * extension's; docs/formats.md has them. Errors: CANNOT_WRITE, UNSUPPORTED, BAD_DIMENSION,
+/* Writes a triangulation, hull, intersection or diagram: whole, or not at all. `format`: NULL or "" for that
+ * of the extension; docs/formats.md lists them. Errors: CANNOT_WRITE, UNSUPPORTED, BAD_DIMENSION,
  * INVALID_ARGUMENT. */
 DELONE_C_API int delone_write(const delone_object* object, const char* path, const char* format);
 
@@ -430,17 +428,17 @@ DELONE_C_API int delone_write_points(const double* points, size_t num_points, in
 /* ---- Tiles: more points than memory -------------------------------------------------------------------- */
 
 /* The Delaunay or regular triangulation of the points of a file, or of num_rows rows of `columns` numbers, as
- * a folder of parts: "tiles". Options: threads, format, columns, and those of tiles alone. Errors as for
+ * a folder of parts: "tiles". Options: threads, format, columns, and those for tiles. Errors as for
  * triangulations and files. */
 DELONE_C_API int delone_make_tiles(const char* input, const char* folder, const delone_options* options,
                                    delone_object** tiles);
 DELONE_C_API int delone_make_tiles_of_points(const double* rows, size_t num_rows, int columns,
                                              const char* folder, const delone_options* options,
                                              delone_object** tiles);
-/* What a finished folder holds, and its part number i. */
+/* The index of a finished folder, and its part number i. Errors: CANNOT_OPEN, BAD_FORMAT. */
 DELONE_C_API int delone_read_tiles(const char* folder, delone_object** tiles);
 DELONE_C_API int delone_read_tile(const char* folder, size_t i, delone_object** tile);
-/* Examines a folder; against the rows that it was made of if `rows` is not NULL. Options as for
+/* Examines a folder, and if `rows` is not NULL compares it with the rows of its input. Options as for
  * delone_check(). */
 DELONE_C_API int delone_check_tiles(const char* folder, const double* rows, size_t num_rows, int columns,
                                     const delone_options* options, delone_object** report);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The one exception type of the library. Unlucky input (flat, duplicate, empty) is a result and never an
+// The one exception type of the library. Degenerate input (flat, duplicate, empty) is a result and never an
 // error.
 #pragma once
 
@@ -27,8 +27,8 @@ enum class Errc {
   time_limit,        ///< a construction took longer than Options::time_limit
 };
 
-/// What went wrong (what()), its kind (code()) and the input rows concerned, if any (rows()): those of the
-/// call that throws, counted from 0.
+/// What went wrong (what()), its kind (code()) and the input rows concerned, if any (rows()): rows of the
+/// arguments of the call that throws, counted from 0.
 class DELONE_EXPORT_TYPE Error : public std::runtime_error {
  public:
   Error(Errc code, const std::string& message, std::vector<std::size_t> rows = {})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The faces of a triangulation of one dimension, as arrays.
+// The faces of one dimension of a triangulation, as arrays.
 #pragma once
 
 #include <delone/export.hpp>
@@ -13,9 +13,9 @@
 
 namespace delone {
 
-/// Faces of one dimension j: n of them, each once. Their order is the same for the same cells and vertices
-/// (Triangulation::sort_cells()), however many threads have found them, and wherever faces of dimension j are
-/// listed. Cells are in the order of Triangulation::to_data(), vertices in that of their rows.
+/// Faces of one dimension j: n of them, each once. Their order depends on the order of cells and vertices
+/// only (Triangulation::sort_cells()), not on the number of threads, and is the same in all lists of faces of
+/// dimension j. Cells are in the order of Triangulation::to_data(), vertices in that of their rows.
 struct DELONE_EXPORT_TYPE Faces {
   int dimension = 0;                   ///< j
   std::vector<SignedIndex> vertices;   ///< n×(j+1) point rows; cells as in to_data(), others increasing
@@ -29,19 +29,19 @@ struct DELONE_EXPORT_TYPE Faces {
   }
 };
 
-/// What enumerations of faces may use.
+/// Options of enumerations of faces.
 struct FaceOptions {
-  /// At most so many threads; 0: as many as there are cores for this process, where the work is large enough
-  /// to gain by them. The arrays do not depend on it.
+  /// The most threads to use; 0: one per core of this process if the work is large enough to gain by it. The
+  /// arrays do not depend on it.
   unsigned threads = 1;
-  /// As in Options; it stops the work (Errc::cancelled). The fraction is 0 throughout.
+  /// As in Options; the fraction is always 0.
   std::function<bool(double)> progress = {};
 };
 
-/// All finite faces of dimension j. j = 0: the vertices; j = k: the finite cells; none for k < j ≤ d, where
-/// the points are flat. Errors: invalid_argument (j < 0 or j > d), out_of_memory, too_many, unsupported (k >
-/// 63). Cost: O(m·k) for facets of m cells, j = k−1; otherwise that of finding the faces of all dimensions
-/// from j on, O(Σ_i n_i·i²) if there are n_i of dimension i.
+/// All finite faces of dimension j. j = 0: the vertices; j = k: the finite cells; none for k < j ≤ d, which
+/// needs flat points. Throws Errc::invalid_argument (j < 0 or j > d), unsupported (k > 63), too_many,
+/// out_of_memory, cancelled. Cost: O(m·k) for facets of m cells, j = k−1; otherwise that of finding the faces
+/// of all dimensions from j on, O(Σ_i n_i·i²) if there are n_i of dimension i.
 DELONE_EXPORT Faces faces(const Triangulation& triangulation, int j, const FaceOptions& options = {});
 
 }  // namespace delone

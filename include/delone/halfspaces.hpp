@@ -18,13 +18,14 @@
 namespace delone {
 
 /// A polyhedron, the intersection of halfspaces n·x + c ≤ 0 of R^d: what is true of it in every dimension.
-/// HalfspaceIntersection<D> makes one; functions for all dimensions take a `const Polyhedron&`.
+/// Make a HalfspaceIntersection<D>; functions for all dimensions take a `const Polyhedron&`.
 ///
-/// `const` members may be called from several threads at once.
+/// `const` members may be called from several threads at once. What is computed on first use throws
+/// Errc::out_of_memory if there is not enough memory.
 class DELONE_EXPORT Polyhedron {
  public:
   int dimension() const;  ///< d
-  /// k, the rank of the normals; d−k is the dimension of the lineality space. 0 where state() is not full.
+  /// k, the rank of the normals; d−k is the dimension of the lineality space. 0 if state() is not full.
   int rank() const;
   std::size_t num_halfspaces() const;
   IntersectionState state() const;
@@ -43,15 +44,15 @@ class DELONE_EXPORT Polyhedron {
   IntersectionData to_data() const;
 
   /// The d-volume of the convex hull of the rounded vertices; infinity if unbounded, 0 if flat or empty.
-  /// Cost: that hull, which from d = 5 on may take far longer than the intersection, as rounded vertices are
-  /// not in the hyperplanes of their facets.
+  /// Cost: that of this hull, which from d = 5 on may take far longer than the intersection because rounded
+  /// vertices do not lie in the hyperplanes of their facets.
   double volume() const;
   /// Volume and surface area of the convex hull of the rounded dual points (and of the origin, if unbounded).
   /// NaN for k < d.
   double dual_volume() const;
   double dual_area() const;
 
-  /// The number of simplices of the dual boundary, those at infinity included.
+  /// The number of simplices of the dual boundary, those at infinity included. O(1).
   std::size_t num_cells() const;
   Statistics statistics() const;
 
@@ -79,14 +80,14 @@ class DELONE_EXPORT Polyhedron {
 /// (Preparata and Muller 1979, doi:10.1016/0304-3975(79)90055-0). Dual points are not representable, but
 /// every decision is the sign of a determinant of the rows as they were given, whatever p is
 /// (docs/predicates.md). So the result is exact for all finite doubles, does not depend on p, on the order of
-/// the rows or on their lengths, and is rounded only in the end: coordinates of vertices are the nearest
+/// the rows or on their lengths, and is rounded only at the end: coordinates of vertices are the nearest
 /// doubles, and vertices of more than k facets are found to be one.
 ///
 /// The interior point is given, or found: by an exact linear program (the largest t with n·x + c + w·t ≤ 0
 /// for all rows, w near |n|), solved by the dual simplex method in integers with Bland's rule against
-/// cycling; rounding decides nothing. Where no double is strictly inside, as between two neighboring doubles,
-/// the exact solution serves and is reported rounded. An intersection without interior points is a result,
-/// see state() and witness().
+/// cycling; rounding decides nothing. If no double is strictly inside, as between two neighboring doubles,
+/// the exact solution is used and reported rounded. An intersection without interior points is a result, see
+/// state() and witness().
 ///
 /// Cost: that of the convex hull of m+1 points, one solve per vertex, a walk per redundant row.
 template <int D = dynamic>
@@ -97,16 +98,18 @@ class HalfspaceIntersection : public Polyhedron {
   /// The numbers of a row, as a template argument of AnyPoint and AnyPoints.
   static constexpr int row_size = D == dynamic ? dynamic : D + 1;
 
-  /// Finds an interior point. Throws bad_dimension (dimension < 1, or a number of entries that is no multiple
-  /// of d+1), not_finite (rows() names the rows), cancelled, too_many, out_of_memory.
+  /// Finds an interior point. Throws Errc::bad_dimension (dimension < 1, or a number of entries that is not a
+  /// multiple of d+1), not_finite (rows() names the rows), cancelled, too_many, out_of_memory, time_limit,
+  /// and invalid_argument for a tolerance.
   HalfspaceIntersection(const AnyPoints<>& halfspaces, int dimension,
                         const Options& options = {}) requires(D == dynamic)
       : Polyhedron(halfspaces, dimension, options) {}
   explicit HalfspaceIntersection(const AnyPoints<row_size>& halfspaces,
                                  const Options& options = {}) requires(D != dynamic)
       : Polyhedron(rows(halfspaces), D, options) {}
-  /// With an interior point. Throws invalid_argument, rows() naming them, if it is not strictly inside all
-  /// halfspaces (a trivial row asks for nothing); otherwise as above.
+  /// Takes an interior point of d numbers. Throws Errc::invalid_argument if it is not strictly inside all
+  /// halfspaces (a trivial row requires nothing), and rows() names those that it violates; otherwise as
+  /// above.
   HalfspaceIntersection(const AnyPoints<>& halfspaces, int dimension, const AnyPoint<>& interior_point,
                         const Options& options = {}) requires(D == dynamic)
       : Polyhedron(halfspaces, dimension, interior_point, options) {}
@@ -119,11 +122,11 @@ class HalfspaceIntersection : public Polyhedron {
   /// A deep copy. Throws Errc::out_of_memory.
   HalfspaceIntersection clone() const { return HalfspaceIntersection(detail::Clone{}, *this); }
 
-  /// Adds halfspaces as the next rows. The interior point must be strictly inside them, or invalid_argument
-  /// is thrown. A rank that rises rebuilds all, as does every call where there is no interior point. If it
-  /// throws, nothing has changed.
+  /// Adds halfspaces as the next rows: all or none. Everything is rebuilt if the rank rises, and by every
+  /// call if there is no interior point. Throws Errc::invalid_argument unless the interior point is strictly
+  /// inside the new halfspaces, otherwise as the constructors; the intersection is then unchanged.
   void insert_range(const AnyPoints<row_size>& halfspaces) { insert_rows(rows(halfspaces)); }
-  /// Adds one halfspace; as above.
+  /// Adds one halfspace. Cost and errors as for insert_range().
   void insert(const AnyPoint<row_size>& halfspace) { insert_rows(halfspace.coordinates()); }
 
  private:

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Results as one page for a browser, which needs nothing else: to turn, slice, color and ask.
+// Results as one self-contained page for a browser, in which they can be turned, sliced, colored and queried.
 //
-// Positions are rounded to 2^24 steps along each axis of the bounding box: by at most 3·10⁻⁸ of its side,
-// which is what graphics hardware works with; the page says by how much. Circumradii and qualities are
-// computed from the coordinates as they are, in double precision, and stored to 4 digits, values to 2^-24 of
-// their range. Where the library was built with zlib the page is about two thirds as large.
+// Positions are rounded to 2^24 steps along each axis of the bounding box, at most 3·10⁻⁸ of its side, the
+// precision of graphics hardware; the page says by how much. Circumradii and qualities are computed in double
+// precision from the unrounded coordinates and stored to 4 digits, values to 2^-24 of their range. If the
+// library was built with zlib, the page is about two thirds as large.
 #pragma once
 
 #include <delone/data.hpp>
@@ -18,9 +18,9 @@ namespace delone {
 
 class Diagram;
 
-/// What the values of a page belong to.
+/// The items to which the values of a page belong.
 enum class ValuesAt {
-  automatic,  ///< whichever there are as many of: of several in this order
+  automatic,  ///< the first of the following whose number is that of the values
   points,     ///< rows, of points or halfspaces
   cells,      ///< cells of triangulations and hulls, regions
   facets,     ///< of hulls and intersections
@@ -28,7 +28,7 @@ enum class ValuesAt {
 
 struct HtmlOptions {
   std::string title{};  ///< empty: what is shown
-  /// d, of the coordinates; empty: those of the data, or x, y, z, or x0, x1, …
+  /// The names of the d coordinates; empty: those of the data, or x, y, z, or x0, x1, …
   std::vector<std::string> column_names{};
   std::vector<double> values{};  ///< numbers to color by; NaN: none. Empty: no values
   ValuesAt values_at = ValuesAt::automatic;
@@ -36,24 +36,24 @@ struct HtmlOptions {
 };
 
 /// A page that shows a triangulation: its cells with their circumradii and qualities
-/// (QualityMeasure::radius_ratio; flat cells, which files can have, have neither), its hull, and for
-/// k = d = 2, 3 its Voronoi diagram. In more than three dimensions three coordinates or principal axes are
-/// chosen there.
-/// Errors: invalid_argument for options that do not suit the data, for infinite values, and where the arrays
-/// disagree; not_finite; too_many beyond 2^32 − 2 rows; out_of_memory. A ProgressScope can stop it. Cost:
-/// linear, and one sort of the vertices; about 20 bytes of page for each triangle of the plane.
+/// (QualityMeasure::radius_ratio; flat cells, which files can have, have neither), its hull, and for k = d =
+/// 2, 3 its Voronoi diagram. In more than three dimensions the viewer chooses three coordinates or principal
+/// axes. Throws Errc::invalid_argument if options do not suit the data, if values are infinite, and if the
+/// arrays disagree; not_finite; too_many beyond 2^32 − 2 rows; out_of_memory; cancelled by a ProgressScope.
+/// Cost: linear, and one sort of the vertices; about 20 bytes of page for each triangle of the plane.
 DELONE_EXPORT std::string to_html(const ComplexData& data, const HtmlOptions& options = {});
 
-/// A page that shows a convex hull: its facets, and all of its points if these are at most 200 000.
+/// A page that shows a convex hull: its facets, and all of its points if there are at most 200 000. Throws as
+/// above, and Errc::invalid_argument for a hull without its points.
 DELONE_EXPORT std::string to_html(const HullData& data, const HtmlOptions& options = {});
 
 /// A page that shows an intersection of halfspaces: facets for d = 3, edges otherwise; unbounded ones are cut
-/// off. invalid_argument for one without interior points; not_finite where vertices are beyond the range of
-/// doubles.
+/// off. Throws as above, Errc::invalid_argument for an intersection without interior points, and not_finite
+/// if vertices are beyond the range of doubles.
 DELONE_EXPORT std::string to_html(const IntersectionData& data, const HtmlOptions& options = {});
 
 /// A page that shows the regions of a Voronoi or power diagram within a box (by default bounding_box()), with
-/// their volumes in it. Errors: as Diagram::for_each_clipped_region(); unsupported for d > 3.
+/// their volumes in it. Throws as Diagram::for_each_clipped_region(); Errc::unsupported for d > 3.
 DELONE_EXPORT std::string to_html(const Diagram& diagram, const HtmlOptions& options = {},
                                   const std::optional<Box>& box = {});
 

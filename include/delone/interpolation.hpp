@@ -15,32 +15,32 @@
 
 namespace delone {
 
-/// What an interpolation gives to queries outside: those that are not in the convex hull of the points, nor
-/// within the tolerance of it. For flat input these are also all queries that are not in the flat of the
-/// points, but for the tolerance.
+/// How an interpolation answers queries outside: those that are neither in the convex hull of the points nor
+/// within the tolerance of it. For flat input these include all queries that are not within the tolerance of
+/// the flat of the points.
 enum class Outside : std::uint8_t {
-  fill,     ///< constants, NaN unless told otherwise; gradients are NaN
-  nearest,  ///< the value given at the vertex nearest to the query, as by PointLocator::nearest(); gradients
+  fill,     ///< constants, NaN by default; gradients are NaN
+  nearest,  ///< the value of the vertex nearest to the query, as by PointLocator::nearest(); gradients
             ///< are 0
   error,    ///< Errc::invalid_argument, rows() naming one such query
   project,  ///< the value at the point of the convex hull nearest to the query, whatever its distance: the
-            ///< function goes on constant at right angles to the hull, continuously. Gradients are those of
-            ///< the function in the cell of that point. As `fill` if there is no point at all.
+            ///< function continues constantly at right angles to the hull, and continuously. Gradients are
+            ///< those of the function in the cell of that point. As `fill` if there is no point at all.
 };
 
 /// How interpolators treat queries.
 struct EvaluateOptions {
   Outside outside = Outside::fill;
-  /// For Outside::fill: one number for each column; NaN if it is empty. Not used for gradients.
+  /// For Outside::fill: one number for each column; empty: NaN. Not used for gradients.
   std::span<const double> fill = {};
-  /// τ of LocateOptions: the value at x is that of the function at the point x' there, so at one with |x −
+  /// τ of LocateOptions: the value at x is that of the function at the point x' described there, with |x −
   /// x'| ≤ τ; at a vertex it is the given one.
   double tolerance = 0;
-  /// Called now and then, by the calling thread, with the number of queries done; returning false cancels
+  /// Called from time to time by the calling thread with the number of queries done; return false to cancel
   /// (Errc::cancelled).
   std::function<bool(std::size_t)> progress = {};
-  /// At most so many threads; 0: as many as there are cores for this process, where the batch is large enough
-  /// to gain by them. The result does not depend on it, to the last bit.
+  /// The most threads to use; 0: one per core of this process if the batch is large enough to gain by it. The
+  /// result does not depend on it, to the last bit.
   unsigned threads = 1;
 };
 
@@ -52,9 +52,9 @@ struct EvaluateOptions {
 /// several threads at once.
 class DELONE_EXPORT LinearInterpolator {
  public:
-  /// `values`: n×columns numbers, one row for each input row; NaN and infinities spread to the cells they are
-  /// at. Of duplicates the value of the first row counts, those of hidden points are not used. Throws
-  /// bad_dimension unless the numbers fit.
+  /// `values`: n×columns numbers, one row for each input row; NaN and infinities affect the cells of their
+  /// vertices. Of duplicates the value of the first row counts; those of hidden points are not used. Throws
+  /// Errc::bad_dimension unless there are that many numbers, out_of_memory.
   LinearInterpolator(const Triangulation& triangulation, std::span<const double> values,
                      std::size_t columns = 1);
 
@@ -64,11 +64,13 @@ class DELONE_EXPORT LinearInterpolator {
 
   /// The values at q queries (q×d coordinates) as q×columns numbers, none off by more than (k+1)·2⁻³⁵ times
   /// the largest magnitude of a value at the cell, whatever its shape; mostly by a few units of 2⁻⁵³. Throws
-  /// as PointLocator::locate(), bad_dimension if `result` is not of that size, and see Outside.
+  /// as PointLocator::locate(), Errc::bad_dimension unless `result` has that size, cancelled, and
+  /// invalid_argument for Outside::error.
   void evaluate(std::span<const double> queries, std::span<double> result,
                 const EvaluateOptions& options = {}) const;
-  /// The gradients at q queries, q×columns×d numbers: where cells meet, of one of them; with a tolerance, of
-  /// a thick one that contains x', if there is one. Flat input: tangent to the flat.
+  /// The gradients at q queries, q×columns×d numbers. Where cells meet it is the gradient of one of them;
+  /// with a tolerance, of a thick one that contains x' if there is any. Flat input: tangent to the flat.
+  /// Throws as evaluate().
   void gradients(std::span<const double> queries, std::span<double> result,
                  const EvaluateOptions& options = {}) const;
 

@@ -2,17 +2,17 @@
 // Readers and writers of points, triangulations, convex hulls, intersections of halfspaces, Voronoi and power
 // diagrams. Every error is a delone::Error that names file and place; docs/formats.md has the arrays.
 //
-// A path "-" is standard input or output. The format is `format`, or else the extension of the path. A file
-// that is written appears whole or not at all (written beside, then renamed); symbolic links are written
-// through. Every function may throw unsupported (the format) and out_of_memory; readers cannot_open and
-// bad_format; writers cannot_write.
+// A path "-" is standard input or output. `format` names the format; if it is empty, the extension of the
+// path does. A file that is written appears whole or not at all (written beside, then renamed); symbolic
+// links are written through. Every function may throw unsupported (the format) and out_of_memory; readers
+// cannot_open and bad_format; writers cannot_write.
 //
-// Files that gzip has compressed are read as if they were not, and told by their first bytes: `.gz` may
-// follow the extension. Damaged ones are bad_format; a build without zlib throws unsupported.
+// Files compressed by gzip are recognized by their first bytes and read as if they were not compressed; `.gz`
+// may follow the extension. Damaged ones are bad_format; a build without zlib throws unsupported.
 //
-// Input ends: a file whose first bytes do not suit its format is refused by them, and a stream that has more
-// bytes than a limit throws out_of_memory. A stream is what is not a regular file (a pipe, a device), what a
-// compressed file holds, and what a regular file has beyond the size that it had when it was opened.
+// Input is bounded: a file is refused as soon as its first bytes contradict its format, and a stream with
+// more bytes than a limit throws out_of_memory. Streams are everything but regular files (pipes, devices),
+// the contents of compressed files, and what is appended to a regular file after it was opened.
 #pragma once
 
 #include <delone/data.hpp>
@@ -37,7 +37,7 @@ struct PointTable {
   int dimension = 0;
   std::vector<double> coordinates;            ///< n×d, row-major
   std::vector<std::string> column_names;      ///< of a CSV/TSV/PLY header, after selection; may be empty
-  int num_values = 0;                         ///< m, the columns that ReadOptions::values selects
+  int num_values = 0;                         ///< m, the number of columns that ReadOptions::values selects
   std::vector<double> values = {};            ///< n×m, row-major
   std::vector<std::string> value_names = {};  ///< as column_names
   std::size_t num_points() const {
@@ -45,20 +45,20 @@ struct PointTable {
   }
 };
 
-/// The most bytes that are read from a stream, unless a function is told otherwise: 4 GiB.
+/// The most bytes that are read from a stream by default: 4 GiB.
 inline constexpr std::uint64_t default_max_stream_bytes = std::uint64_t{1} << 32;
 
 struct ReadOptions {
   std::string format;  ///< one of those of read_points(); empty: by extension, "-" is qhull
-  /// The coordinates: names of a header, numbers from 0, or ranges of numbers, as "2-5", both ends included;
-  /// a name comes before a number, and "5-5" is the number 5 for certain. ply: names of properties. Empty:
-  /// all columns (of ply: x, y and z), but for `values`.
+  /// The columns with the coordinates: names in a header, numbers from 0, or ranges of numbers such as "2-5",
+  /// both ends included. A name takes precedence over a number; "5-5" always means the number 5. ply: names
+  /// of properties. Empty: all columns (of ply: x, y and z) except those of `values`.
   std::vector<std::string> columns;
   std::uint64_t max_stream_bytes = default_max_stream_bytes;
-  /// csv, tsv, txt: at most so many threads parse; 0: as many as there are cores for this process, where the
-  /// file is large enough to gain by them. Points and errors do not depend on it.
+  /// csv, tsv, txt: the most threads that parse; 0: one per core of this process if the file is large enough
+  /// to gain by it. Points and errors do not depend on it.
   unsigned threads = 1;
-  /// Columns that are no coordinates, chosen in the same way: for PointTable::values.
+  /// Columns that are not coordinates, chosen in the same way: for PointTable::values.
   std::vector<std::string> values = {};
 };
 
@@ -72,41 +72,41 @@ struct ReadOptions {
 ///   off          OFF / nOFF / COFF vertices
 ///   ply          ascii and binary, the properties x, y, z
 ///   qhull        dimension, count, rows (rbox's output; the rest of the first line is a comment)
-/// Errors: bad_format with "FILE:LINE: …" or "FILE: row N: …"; not_finite with rows(); bad_dimension for
-/// dimension 0.
+/// Throws Errc::bad_format with "FILE:LINE: …" or "FILE: row N: …"; not_finite with rows(); bad_dimension for
+/// dimension 0; invalid_argument for unknown columns; and as all readers.
 DELONE_EXPORT PointTable read_points(const std::string& path, const ReadOptions& options = {});
 
-/// Writes points: npy, csv, tsv, txt, xyz, pts, off, or qhull, the format of standard output. Errors:
-/// not_finite, bad_dimension, invalid_argument.
+/// Writes points: npy, csv, tsv, txt, xyz, pts, off, or qhull, the format of standard output. Throws
+/// Errc::not_finite, bad_dimension, invalid_argument, and as all writers.
 DELONE_EXPORT void write_points(const std::string& path, const PointTable& points,
                                 const std::string& format = {});
 
-/// Writes a table of numbers, which may be infinite or NaN, and its column names: `coordinates` and
-/// `column_names` of a PointTable, a row per line.
+/// Writes a table of numbers, which may be infinite or NaN, with its column names: `coordinates` and
+/// `column_names` of a PointTable, one row per line.
 ///   npy          float64 (n,d)
 ///   csv tsv txt  `nan`, `inf` and `-inf` among the numbers; csv and tsv with a header if there are names;
 ///                csv is the format of standard output
 ///   json         {"columns": names, "data": rows}, which pandas.read_json(…, orient="split") reads; null for
 ///                what is not finite
-/// Errors: bad_dimension, invalid_argument.
+/// Throws Errc::bad_dimension, invalid_argument, and as all writers.
 DELONE_EXPORT void write_table(const std::string& path, const PointTable& table,
                                const std::string& format = {});
 
-/// What a file may hold.
+/// The contents of a file.
 using AnyData = std::variant<ComplexData, HullData, IntersectionData, VoronoiData>;
 
-/// Reads whatever a file holds, which its arrays tell: an intersection of halfspaces has the array
-/// first_of_halfspace, a diagram ridge_points and point_region, a hull facet_of_cell; all else is a
+/// Reads any of these. The names of the arrays tell which: an intersection of halfspaces has
+/// first_of_halfspace, a diagram ridge_points and point_region, a hull facet_of_cell; everything else is a
 /// triangulation.
 ///   npz   ours; also any .npz of these arrays, and of `points` and `cells` or `simplices`
 ///   json  the same members; the format of standard input
 ///   off   OFF, nOFF: a triangulation
-/// The shapes of all arrays are checked; check() examines what they hold. Errors: bad_format, bad_dimension
-/// and not_finite, naming the member; for not_finite rows() are those of points or halfspaces.
+/// The shapes of all arrays are checked; check() examines their contents. Throws Errc::bad_format,
+/// bad_dimension and not_finite, naming the member; for not_finite rows() names points or halfspaces.
 DELONE_EXPORT AnyData read(const std::string& path, const std::string& format = {},
                            std::uint64_t max_stream_bytes = default_max_stream_bytes);
 
-/// As read(); bad_format, saying what the file holds, if that is something else.
+/// As read(). Throws Errc::bad_format, saying what the file holds, if it is of another kind.
 template <PlainData Data>
 DELONE_EXPORT Data read_as(const std::string& path, const std::string& format = {},
                            std::uint64_t max_stream_bytes = default_max_stream_bytes);
@@ -125,13 +125,13 @@ DELONE_EXPORT Data read_as(const std::string& path, const std::string& format = 
 ///   txt   Qhull's `i` form: number of cells, then one line of point rows per cell; standard output
 ///   npy   the cells array only
 ///   html  a page for a browser: html.hpp
-/// Standard output takes the text formats. Errors: bad_dimension, not_finite; invalid_argument where the
-/// arrays disagree.
+/// Standard output takes the text formats. Throws Errc::bad_dimension, not_finite; invalid_argument if the
+/// arrays disagree; unsupported if the format cannot hold the data; and as all writers.
 DELONE_EXPORT void write(const std::string& path, const ComplexData& data, const std::string& format = {});
 
 /// Writes a convex hull (with its points): npz and json hold its arrays, kinds of points as numbers 0 … 3 in
 /// the order of PointKind; the other formats of triangulations hold the cells, as a triangulation of
-/// dimension k−1. Errors as there.
+/// dimension k−1. Throws as for those.
 DELONE_EXPORT void write(const std::string& path, const HullData& data, const std::string& format = {});
 
 /// Writes an intersection of halfspaces (with its halfspaces):
@@ -139,36 +139,36 @@ DELONE_EXPORT void write(const std::string& path, const HullData& data, const st
 ///   json  the same members; standard output
 ///   off   k = d = 3 and bounded: vertices, and facets as polygons
 ///   html  a page for a browser: html.hpp; invalid_argument without interior points
-/// Errors: bad_dimension; invalid_argument where the arrays disagree.
+/// Throws Errc::bad_dimension; invalid_argument if the arrays disagree; and as all writers.
 DELONE_EXPORT void write(const std::string& path, const IntersectionData& data,
                          const std::string& format = {});
 
 /// Writes a Voronoi or power diagram:
 ///   npz   its arrays
 ///   json  the same members, lists as lists; standard output
-/// Errors: bad_dimension; invalid_argument where the arrays disagree.
+/// Throws Errc::bad_dimension; invalid_argument if the arrays disagree; and as all writers.
 DELONE_EXPORT void write(const std::string& path, const VoronoiData& data, const std::string& format = {});
 
-/// Writes a diagram, with its ridges, as its arrays (npz, json) or as a picture of what a box leaves of it:
+/// Writes a diagram, with its ridges, as its arrays (npz, json) or as a picture of its part in a box:
 ///   svg   d = 2: a picture; the format of standard output is json
 ///   vtu   d = 2, 3: the regions as polygons or polyhedra, each with its `region` and `point`, for ParaView
 ///   html  d ≤ 3: a page for a browser: html.hpp
-/// `box`: by default bounding_box(). Unbounded regions end at it. `column_names` go into npz, json and html.
-/// Errors: invalid_argument for a bad box, and for a diagram without ridges.
+/// `box`: by default bounding_box(). Unbounded regions end at it. npz, json and html store `column_names`.
+/// Throws Errc::invalid_argument for a bad box and for a diagram without ridges, and as all writers.
 DELONE_EXPORT void write(const std::string& path, const Diagram& diagram, const std::optional<Box>& box = {},
                          const std::string& format = {}, const std::vector<std::string>& column_names = {});
 
-/// Writes what Qhull's programs print, for programs that parse it: `outputs` are the names of their output
-/// options, with commas or blanks between them, in the order to write them in. Numbers have as many digits as
-/// are needed to read the same double back. Facets are listed in an order of their own.
-///   triangulation  qdelaunay Qt (with Qu: furthest-site): o p i Fv Fx Fn FA FS; −1 in Fn is beyond the hull
+/// Writes the output of Qhull's programs, for programs that parse it: `outputs` lists the names of their
+/// output options, separated by commas or blanks, in the order of writing. Numbers have enough digits to read
+/// the same double back. Facets are in no particular order.
+///   triangulation  qdelaunay Qt (with Qu: furthest-site): o p i Fv Fx Fn FA FS; −1 in Fn is outside the hull
 ///   hull           qconvex: o n p i Fv Fx Fn FA FS
 ///   diagram        qvoronoi: o p Fv Fx Fn; −1 in Fn is at infinity; Fv without ridges of fewer than k
 ///                  vertices, infinity included, as in Qhull: they are unbounded in several directions
 ///   intersection   qhalf: o p i Fp Fv Fx Fn; bounded, with interior points
-/// Errors: invalid_argument for another output; unsupported for regular triangulations, for an intersection
-/// that is unbounded, flat or empty, for `i` of facets that are no simplices in 4 dimensions or more, and for
-/// diagrams without ridges.
+/// Throws Errc::invalid_argument for another output; unsupported for regular triangulations, for an
+/// intersection that is unbounded, flat or empty, for `i` of facets that are not simplices in 4 dimensions or
+/// more, and for diagrams without ridges; and as all writers.
 DELONE_EXPORT void write_qhull(const std::string& path, const Triangulation& triangulation,
                                const std::string& outputs);
 DELONE_EXPORT void write_qhull(const std::string& path, const Polytope& hull, const std::string& outputs);
@@ -176,11 +176,11 @@ DELONE_EXPORT void write_qhull(const std::string& path, const Diagram& diagram, 
 DELONE_EXPORT void write_qhull(const std::string& path, const Polyhedron& intersection,
                                const std::string& outputs);
 
-/// Writes text, as the other writers do.
+/// Writes text; errors as for all writers.
 DELONE_EXPORT void write_text(const std::string& path, std::string_view text);
 
-/// The file that writing to `path` makes or replaces: the end of a chain of symbolic links, be there such a
-/// file or not. A chain without an end is returned as it is.
+/// The file that writing to `path` creates or replaces: the end of a chain of symbolic links, whether or not
+/// it exists. Returns `path` itself if the chain has no end.
 DELONE_EXPORT std::string write_target(const std::string& path);
 
 }  // namespace delone

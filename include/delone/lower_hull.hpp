@@ -22,16 +22,16 @@ namespace delone {
 enum class HullSide { lower, upper };
 
 /// The convex envelope of points of R^d, d ≥ 2, or the concave one: what is true of it in every dimension.
-/// LowerHull<D> makes one.
+/// Make a LowerHull<D>.
 ///
 /// The first d−1 coordinates of a point are its *composition*, the last one is its *height* (an energy, say).
 /// The envelope consists of simplices of c+1 points, the *cells*, c the affine dimension of the compositions.
 /// Seen along the last axis they triangulate the domain, the convex hull of the compositions. Cells in one
-/// hyperplane belong to one facet; where all heights are an affine function of the compositions there is a
+/// hyperplane belong to one facet; if all heights are an affine function of the compositions, there is a
 /// single facet.
 ///
-/// `const` members may be called from several threads at once. REQUIRES of queries finite coordinates;
-/// otherwise they throw Errc::not_finite, and Errc::bad_dimension for a wrong number of them.
+/// `const` members may be called from several threads at once. Members with queries throw Errc::bad_dimension
+/// for a wrong number of coordinates, and not_finite.
 class DELONE_EXPORT Envelope {
  public:
   int dimension() const;              ///< d
@@ -45,7 +45,7 @@ class DELONE_EXPORT Envelope {
   std::span<const SignedIndex> cells() const;
   /// m×(c+1) cells: neighbor i is across the facet opposite vertex i; −1 at the border of the domain.
   std::span<const SignedIndex> neighbors() const;
-  /// The facet each cell is part of.
+  /// The facet of each cell.
   std::span<const SignedIndex> facet_of_cell() const;
   /// The rows of the extreme points of this side ("stable" phases), increasing; of equal rows the first.
   std::span<const SignedIndex> vertices() const;
@@ -58,7 +58,7 @@ class DELONE_EXPORT Envelope {
 
   /// The height of the envelope over each of q compositions (q×(d−1)). Off by no more than a rounding and
   /// 2⁻³⁶ times the range of the heights of the vertices of the smallest face there, and within that range,
-  /// however thin the cell: where binary64 cannot promise that, exact arithmetic computes it. Outside the
+  /// however thin the cell: if binary64 cannot guarantee that, exact arithmetic computes it. Outside the
   /// domain +∞ for the lower hull, −∞ for the upper.
   std::vector<double> heights(const AnyPoints<>& compositions) const;
 
@@ -79,9 +79,9 @@ class DELONE_EXPORT Envelope {
   /// Delaunay triangulation.
   ComplexData to_data() const;
 
-  /// The convex hull that this is a part of: of the points, projected to the composition axes and the height
-  /// (negated for the upper hull), and of one point above them all. With a tolerance, of the vertices that
-  /// are kept, its rows in the order of vertices(), if others are not. Throws Errc::invalid_argument if there
+  /// The convex hull that contains this part: the hull of the points, projected to the composition axes and
+  /// the height (negated for the upper hull), and of one point above them all. If a tolerance has dropped
+  /// vertices, its rows are the kept ones, in the order of vertices(). Throws Errc::invalid_argument if there
   /// are no points.
   const Polytope& polytope() const;
 
@@ -102,12 +102,13 @@ class DELONE_EXPORT Envelope {
 /// upper hull is that of the least concave function that is nowhere below them.
 ///
 /// With Options::tolerance ε > 0 it is the exact lower hull of some of the points, over the same domain, such
-/// that no point is more than ε below it along the last axis (decided exactly). From the vertices of the
-/// exact lower hull: those with extreme compositions; then, while one is more than ε below what is there, the
-/// farthest below each cell; then vertices are dropped that the others cover. So no vertex can be left out.
-/// Compositions have no tolerance. The facets are those of the exact lower hull of what is kept: cells in one
-/// hyperplane, exactly. They do not grow across nearly flat ridges, as those of a ConvexHull with a tolerance
-/// do. A tolerance larger than the range of the heights is Errc::invalid_argument, unless they are all equal.
+/// that no point is more than ε below it along the last axis (decided exactly). They are chosen among the
+/// vertices of the exact lower hull: first those with extreme compositions; then, while one is more than ε
+/// below the present hull, the farthest below each cell; finally vertices that the others cover are dropped.
+/// So no vertex can be omitted. Compositions have no tolerance. The facets are those of the exact lower hull
+/// of the chosen points: cells in one hyperplane, exactly. They do not grow across nearly flat ridges, as
+/// those of a ConvexHull with a tolerance do. A tolerance larger than the range of the heights is
+/// Errc::invalid_argument, unless all heights are equal.
 ///
 /// Exact for all finite doubles; a function of the set of points. Duplicates, flat compositions and points
 /// above the hull are ordinary input. Cost: a convex hull of n+1 points.
@@ -119,8 +120,8 @@ class LowerHull : public Envelope {
   /// The numbers of a composition, as a template argument of AnyPoint and AnyPoints.
   static constexpr int composition_size = D == dynamic ? dynamic : D - 1;
 
-  /// Throws Errc::bad_dimension (d < 2, or a number of coordinates that does not fit), not_finite, too_many,
-  /// out_of_memory, cancelled.
+  /// Throws Errc::bad_dimension (d < 2, or a number of coordinates that does not fit), not_finite,
+  /// invalid_argument (the tolerance), too_many, out_of_memory, cancelled, time_limit.
   LowerHull(const AnyPoints<>& points, int dimension, HullSide side = HullSide::lower,
             const Options& options = {}) requires(D == dynamic)
       : Envelope(points, dimension, side, options) {}

@@ -11,15 +11,16 @@
 
 namespace delone {
 
-/// The radius of the sphere through the vertices of each finite cell, in the order of to_data(); weights do
-/// not count. For k = 0: 0. The relative error is certified to be at most 2⁻⁵² (below the normal numbers: two
-/// of the smallest double), +infinity beyond the range of doubles. Errors: out_of_memory. Cost: O(m·k³) for m
-/// cells.
+/// The radius of the sphere through the vertices of each finite cell, in the order of to_data(); weights are
+/// ignored. For k = 0: 0. The relative error is certified to be at most 2⁻⁵² (below the normal numbers: two
+/// of the smallest double), +infinity beyond the range of doubles. Throws Errc::out_of_memory, cancelled.
+/// Cost: O(m·k³) for m cells.
 DELONE_EXPORT std::vector<double> circumradii(const Triangulation& triangulation,
                                               const FaceOptions& options = {});
 
 /// The centers of these spheres, m×d: each coordinate is the double nearest to the exact one (±infinity
-/// beyond the range of doubles). Cells with a common sphere have equal centers.
+/// beyond the range of doubles). Cells with a common sphere have equal centers. Cost and errors as for
+/// circumradii().
 DELONE_EXPORT std::vector<double> circumcenters(const Triangulation& triangulation,
                                                 const FaceOptions& options = {});
 
@@ -41,7 +42,7 @@ enum class QualityMeasure : std::uint8_t {
 /// The quality of each finite cell, in the order of to_data(); 1 for k = 0. The relative error is certified
 /// to be below 10⁻⁹ at any scale, from bounds in binary64, in pairs of doubles or, for the thinnest cells,
 /// from integers; a ratio that is itself below the normal numbers may be 0, one beyond the range of doubles
-/// is +infinity. Errors: out_of_memory. Cost: O(m·k³) for m cells.
+/// is +infinity. Throws Errc::out_of_memory, cancelled. Cost: O(m·k³) for m cells.
 DELONE_EXPORT std::vector<double> qualities(const Triangulation& triangulation, QualityMeasure measure,
                                             const FaceOptions& options = {});
 

@@ -20,23 +20,23 @@ namespace delone {
 /// to.
 struct NaturalNeighbors {
   Location::Kind kind = Location::Kind::outside_affine_hull;
-  /// The point whose neighbors they are, d numbers: the query, but for the options of find().
+  /// The point whose neighbors these are, d numbers: the query, or x' of the options of find().
   std::span<const double> point;
-  /// The vertices with positive coordinates; one at a vertex, none outside the hull.
+  /// The vertices with positive coordinates: one if the point is a vertex, none outside the hull.
   std::span<const VertexId> vertices;
   /// Their coordinates, > 0 with sum 1 up to rounding. Sum of the vertices times these: the point.
   std::span<const double> weights;
   /// The gradients of the coordinates, d numbers for each vertex, if find() computes them. On the boundary of
   /// the hull and in flat input: tangent to the smallest face of the hull that contains the query. Empty at a
-  /// vertex, where there are none.
+  /// vertex, where they do not exist.
   std::span<const double> gradients;
 };
 
-/// Sibson coordinates with respect to a Delaunay triangulation, in any dimension. The coordinate of a query
-/// with respect to a vertex is the part of the Voronoi region that the query would have which that vertex has
-/// now: Sibson, "A vector identity for the Dirichlet tessellation", doi:10.1017/S0305004100056589. The
-/// coordinates are continuous in the hull, and smooth but at the vertices and on the spheres of cells. On a
-/// face of the hull they are those of the vertices within the face, to which those of points nearby tend.
+/// Sibson coordinates with respect to a Delaunay triangulation, in any dimension. Insert the query: the
+/// fraction of its new Voronoi region that belonged to a vertex before is its coordinate with respect to that
+/// vertex: Sibson, "A vector identity for the Dirichlet tessellation", doi:10.1017/S0305004100056589. The
+/// coordinates are continuous in the hull, and smooth except at the vertices and on the spheres of cells. On
+/// a face of the hull they are those of the vertices within the face, the limit of those of points nearby.
 ///
 /// None is off by more than 2⁻³⁶ in up to 3 dimensions and 2⁻³⁰ in more (of the flat of the points), whatever
 /// the shape of cells; mostly by a few units of 2⁻⁵³. So the sum of vertices times weights is off, on each
@@ -44,18 +44,18 @@ struct NaturalNeighbors {
 /// cospherical points are broken, up to this error.
 ///
 /// Method: the centers of the cells that an insertion of the query would replace and create, without
-/// inserting; volumes by exterior products with a certified bound, and integers where it does not suffice.
-/// Cost per query: O(f) with the number f of faces of these cells, some 100 in the plane, 1000 in space.
-/// That is some thirty times the time of a linear interpolation in the plane, a hundred times in space, and
-/// each further dimension takes more than ten times as long. On the boundary of the hull a query takes two to
-/// four times as long as inside, and in flat input (k < d) four to ten times as long as in R^k.
+/// inserting; volumes by exterior products with a certified bound, and integers if it does not suffice. Cost
+/// per query: O(f) with the number f of faces of these cells, some 100 in the plane, 1000 in space. That is
+/// some thirty times the time of a linear interpolation in the plane, a hundred times in space, and each
+/// further dimension takes more than ten times as long. On the boundary of the hull a query takes two to four
+/// times as long as inside, and in flat input (k < d) four to ten times as long as in R^k.
 ///
 /// Refers to the triangulation: valid until the next insertion or edit. `const` members may be called from
 /// several threads at once.
 class DELONE_EXPORT NaturalNeighborCoordinates {
  public:
-  /// Computes the centers of all finite cells, d doubles each. Throws unsupported unless the triangulation is
-  /// a Delaunay<D>, and out_of_memory.
+  /// Computes the centers of all finite cells, d doubles each. Throws Errc::unsupported unless the
+  /// triangulation is a Delaunay<D>, and out_of_memory.
   explicit NaturalNeighborCoordinates(const Triangulation& triangulation);
   NaturalNeighborCoordinates(NaturalNeighborCoordinates&&) noexcept;
   NaturalNeighborCoordinates& operator=(NaturalNeighborCoordinates&&) noexcept;
@@ -68,10 +68,10 @@ class DELONE_EXPORT NaturalNeighborCoordinates {
   /// The same at the points x' of LocateOptions. Where x' = x the coordinates are those of x, also beside
   /// slivers: at a depth under the border like the height of a sliver there, points at its far ends may be
   /// natural neighbors, and gradients across the border are huge. Elsewhere x' is on the boundary of a cell,
-  /// and is rounded to a point in the hull: as near as can be, and with a tolerance 2⁻³⁰ of the way from x'
-  /// to the centroid of the cell, or less to stay within the tolerance up to rounding, so that slivers across
-  /// the border have no part in it. Where rounding leaves the hull nevertheless, as in tilted flats, the
-  /// coordinates are the barycentric ones of x' in its cell.
+  /// and is rounded to a point in the hull: the nearest possible one without a tolerance; with one, 2⁻³⁰ of
+  /// the way from x' to the centroid of the cell, or less to stay within the tolerance up to rounding, so
+  /// that slivers across the border have no influence. If rounding leaves the hull nevertheless, as in tilted
+  /// flats, the coordinates are the barycentric ones of x' in its cell.
   void find(std::span<const double> queries, const LocateOptions& how, const Visit& visit,
             bool with_gradients = false) const;
 
@@ -90,13 +90,13 @@ class DELONE_EXPORT NaturalNeighborCoordinates {
 /// given value.
 ///
 /// Without `smooth`: the sum of values times Sibson coordinates. Continuous, exact for linear functions up to
-/// rounding, and continuously differentiable but at the vertices; nowhere above the largest or below the
+/// rounding, and continuously differentiable except at the vertices; nowhere above the largest or below the
 /// least value of the natural neighbors.
 ///
 /// With `smooth`: the interpolant of Sibson, "A brief description of natural neighbour interpolation" (in V.
 /// Barnett, Interpreting Multivariate Data, 1981), which also has given or estimated gradients at the
-/// vertices, and is continuously differentiable there, too. Exact for quadratic functions a + b·x + c·|x|²
-/// where the gradients are. The gradient at a vertex inside the hull is estimated by least squares over its
+/// vertices, and is continuously differentiable there, too. Exact for quadratic functions a + b·x + c·|x|² if
+/// the gradients are. The gradient at a vertex inside the hull is estimated by least squares over its
 /// neighbors with the weights λ/r², where r is the distance and λ the coordinate of the vertex with respect
 /// to the other vertices, as Sibson does, so it is exact for these functions. For a vertex on the boundary of
 /// the hull, which has no such coordinates, the weights are 1/r⁴, and it is exact for linear ones; likewise
@@ -105,8 +105,9 @@ class DELONE_EXPORT NaturalNeighborCoordinates {
 class DELONE_EXPORT NaturalNeighborInterpolator {
  public:
   /// `values`: as for LinearInterpolator. `site_gradients`: n×columns×d numbers, one row for each input row,
-  /// or none: they are estimated where they are needed, now if `smooth`. Throws bad_dimension unless the
-  /// numbers fit, and as NaturalNeighborCoordinates; `progress` as for evaluate(), with vertices.
+  /// or none: then gradients are estimated when they are needed, in the constructor if `smooth`. `progress`
+  /// as for evaluate(), with numbers of vertices. Throws Errc::bad_dimension unless there are that many
+  /// numbers, cancelled, and as NaturalNeighborCoordinates.
   using Progress = LinearInterpolator::Progress;
   NaturalNeighborInterpolator(const Triangulation& triangulation, std::span<const double> values,
                               std::size_t columns = 1, bool smooth = false,
@@ -117,14 +118,14 @@ class DELONE_EXPORT NaturalNeighborInterpolator {
   const NaturalNeighborCoordinates& coordinates() const { return coordinates_; }
 
   /// The values at q queries (q×d coordinates) as q×columns numbers. Throws as
-  /// LinearInterpolator::evaluate(); see Outside. Inside, but on its boundary, the hull of flat points is
-  /// that within the flat. With a tolerance, or projected: those at the point that
-  /// NaturalNeighborCoordinates::find() takes for the query.
+  /// LinearInterpolator::evaluate(). With a tolerance, or projected, the values are those at the point that
+  /// NaturalNeighborCoordinates::find() uses for the query.
   void evaluate(std::span<const double> queries, std::span<double> result,
                 const EvaluateOptions& options = {}) const;
   /// The gradients at q queries, q×columns×d numbers. At a vertex: the given or estimated gradient there,
   /// which is that of the interpolant if it is smooth. On the boundary of the hull only the part along the
-  /// smallest face that contains the query is one of the interpolant. Outside as LinearInterpolator.
+  /// smallest face that contains the query is that of the interpolant. Outside as LinearInterpolator. Throws
+  /// as evaluate().
   void gradients(std::span<const double> queries, std::span<double> result,
                  const EvaluateOptions& options = {}) const;
   /// The given or estimated gradient at a finite vertex, columns×d numbers.

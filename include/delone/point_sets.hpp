@@ -23,9 +23,9 @@ DELONE_EXPORT const std::vector<PointSetKind>& point_set_kinds();
 
 /// n points of the named kind in R^d, row-major. Throws Errc::invalid_argument for an unknown kind, d < 1, or
 /// a combination that does not exist (flat and spheres of exact points need d ≥ 2; cospherical and ulp_sphere
-/// have at most 118098 points for d = 2); too_many or out_of_memory when the points do not fit; cancelled, of
-/// random kinds. Fewer than n points are returned only by cube01, for n > 2^d. grid and its variants have
-/// ⌈n^(1/d)⌉ points per axis, cut to the first n. Exact by construction: flat and collinear lie in a
+/// have at most 118098 points for d = 2); too_many or out_of_memory if the points do not fit into memory;
+/// cancelled, for random kinds. Only cube01 returns fewer than n points, for n > 2^d. grid and its variants
+/// have ⌈n^(1/d)⌉ points per axis, cut to the first n. Exact by construction: flat and collinear lie in a
 /// hyperplane and on a line, cospherical on a sphere around the origin, without rounding. sphere and
 /// ulp_sphere are rounded and lie only near the unit sphere. Same arguments, same bits on every platform with
 /// IEEE arithmetic: random variables are made by rejection with + − × ÷ √, without the distributions of

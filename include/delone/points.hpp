@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What may be passed as a point or as points: AnyPoint and AnyPoints, the parameter types of the products.
+// What can be passed as a point or as points: AnyPoint and AnyPoints, the parameter types of the products.
 #pragma once
 
 #include <delone/error.hpp>
@@ -34,9 +34,9 @@ namespace detail {
 
 }  // namespace detail
 
-/// A point of R^D as an argument: what the functions with such a parameter take. {x, y, z}; a span, vector or
-/// other range of D doubles or floats; a fixed-size vector of Eigen; a type with PointTraits. Doubles that
-/// lie contiguously are read in place, others copied. D = dynamic: of any number of coordinates.
+/// A point of R^D as an argument. Made from {x, y, z}; a span, vector or other range of D doubles or floats;
+/// a fixed-size vector of Eigen; a type with PointTraits. Contiguous doubles are read in place, others
+/// copied. D = dynamic: any number of coordinates. Throws Errc::bad_dimension unless there are D.
 template <int D = dynamic>
 class AnyPoint {
  public:
@@ -97,15 +97,16 @@ namespace detail {
 struct Clone {};
 }  // namespace detail
 
-/// Points of R^D as an argument: what the functions with such a parameter take.
+/// Points of R^D as an argument, made from:
 ///   read in place: contiguous ranges of doubles (D per point), of std::array<double, D>, double[D],
 ///     fixed-size vectors of Eigen, types with PointTraits that are contiguous; row-major matrices of doubles
-///     of D columns, dense; a PointsView. Containers that are moved in are consumed where the function says
+///     of D columns, dense; a PointsView. Containers that are moved in are consumed if the function says
 ///     so.
 ///   copied: any other range of points (AnyPoint), as vectors of vectors and lists; matrices with gaps
 ///     between their rows.
 /// Throws Errc::bad_dimension, naming the row, if a point has another number of coordinates. Other types do
-/// not compile. D = dynamic: all points have as many coordinates, and plain doubles are of any dimension.
+/// not compile. D = dynamic: all points have the same number of coordinates, and plain doubles fit any
+/// dimension.
 template <int D = dynamic>
 class AnyPoints {
  public:
@@ -138,7 +139,7 @@ class AnyPoints {
 
   /// All coordinates, one point after the other.
   std::span<const double> coordinates() const { return coordinates_; }
-  /// The number of coordinates of each point; 0 for plain doubles where D is dynamic.
+  /// The number of coordinates of each point; 0 for plain doubles if D is dynamic.
   int dimension() const { return dimension_; }
   /// Throws Errc::bad_dimension if the points have another number of coordinates.
   void require_dimension(int expected) const {

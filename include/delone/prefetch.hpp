@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Prefetching, where the compiler offers it: GCC, Clang and those that follow them.
+// Prefetching, if the compiler offers it: GCC, Clang and compatible ones.
 #pragma once
 
 #include <delone/config.hpp>
@@ -9,8 +9,8 @@
 
 namespace delone::internal {
 
-/// Lets the processor fetch the cache line of an address, to be read soon. Any address may be given. No
-/// effect on results.
+/// Asks the processor to load the cache line of an address, which will be read soon. Any address may be
+/// given. No effect on results.
 #if !DELONE_PORTABLE && defined(__GNUC__)
 [[gnu::always_inline]] inline void prefetch(const void* address) { __builtin_prefetch(address); }
 #else

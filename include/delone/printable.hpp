@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Foreign text in messages: what a file or an argument holds, safe to print.
+// Foreign text in messages: text from files and arguments, made safe to print.
 #pragma once
 
 #include <delone/export.hpp>
@@ -11,8 +11,9 @@
 namespace delone {
 
 /// Text of foreign origin (the name of a column, of a member of an archive, an argument) for a terminal: at
-/// most `most` characters of it, then "…" if there are more. Control characters, characters that cannot be
-/// seen or turn the direction of writing, and bytes that are not UTF-8 are written as `\x1b` or `\u{202e}`.
+/// most `most` characters of it, then "…" if there are more. Control characters, invisible characters,
+/// characters that change the direction of writing, and bytes that are not UTF-8 are written as `\x1b` or
+/// `\u{202e}`.
 DELONE_EXPORT std::string printable(std::string_view foreign, std::size_t most = 80);
 
 /// The same in single quotes.

@@ -12,18 +12,19 @@ namespace internal {
 class ProgressMeter;
 }
 
-/// While it lives, all calls of the library in this thread that take long ask a progress function about every
-/// 20 ms, and throw Errc::cancelled if it returns false; objects then are as they were before the call. So
-/// queries, volumes, diagrams, checks and files can be stopped as constructions can.
+/// While it lives, all long calls of the library in this thread call a progress function about every 20 ms,
+/// and throw Errc::cancelled if it returns false; objects are then unchanged. So queries, volumes, diagrams,
+/// checks and files can be stopped as constructions can.
 ///
 ///   const ProgressScope scope([&](double) { return !stop; });
 ///   const Measure volume = hull.volume();
 ///
-/// The function gets the fraction done, 0…1, of constructions; 0 where that is not known. A progress function
-/// in the options of a call is asked, too. Scopes of one thread end in the reverse order of their beginning.
+/// The function receives the fraction done of a construction, 0…1, or 0 if it is not known. A progress
+/// function in the options of a call is called, too. Scopes of one thread end in the reverse order of their
+/// creation.
 class DELONE_EXPORT ProgressScope {
  public:
-  /// Nothing is asked if `progress` is empty.
+  /// An empty `progress` is never called.
   explicit ProgressScope(std::function<bool(double)> progress);
   ProgressScope(const ProgressScope&) = delete;
   ProgressScope& operator=(const ProgressScope&) = delete;
@@ -34,7 +35,7 @@ class DELONE_EXPORT ProgressScope {
   std::unique_ptr<internal::ProgressMeter> meter_;
 };
 
-/// For loops of the caller, as between queries: asks the function of the innermost scope, as the library
+/// For loops of the caller, such as over queries: calls the function of the innermost scope, as the library
 /// does, and throws Errc::cancelled if it returns false. Costs nanoseconds.
 DELONE_EXPORT void cancellation_point();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rough quantities in words, as for forecasts and limits.
+// Rough quantities in words, for forecasts and limits.
 #pragma once
 
 #include <delone/export.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Triangulations of more points than memory holds: a folder of parts, each triangulated by itself, which
-// together are the triangulation of all points.
+// Triangulations of more points than memory holds: a folder of parts, triangulated separately, which together
+// are the triangulation of all points.
 #pragma once
 
 #include <delone/check.hpp>
@@ -17,44 +17,44 @@
 
 namespace delone {
 
-/// What tiles will cost, from a sample and a model: docs/tiles.md.
+/// The predicted cost of tiles, from a sample and a model: docs/tiles.md.
 struct TilesForecast {
   std::int64_t num_points = 0;
   std::size_t num_tiles = 1;
-  double cells_per_point = 0;        ///< of a sample
+  double cells_per_point = 0;        ///< in a sample
   double foreign_share = 0;          ///< points of other tiles that a tile inserts, divided by its own
   std::uint64_t bytes_per_tile = 0;  ///< memory of a tile at its peak
 };
 
-/// How a set is cut into tiles. The triangulation never depends on it; which part has a cell does.
+/// How a set is cut into tiles. The triangulation never depends on it; the part of a cell does.
 struct TilesOptions {
   /// The most memory to use, in bytes, mapped pages included; 0: three quarters of what is free (2 GiB if the
-  /// system does not say). The program itself and the arrays of the caller count.
+  /// system does not report it). Includes the program itself and the arrays of the caller.
   std::uint64_t memory = 0;
   /// The number of tiles; 0: as few as the memory allows.
   std::size_t tiles = 0;
   unsigned threads = 1;  ///< as Options::threads
   /// Whether a column of the input holds weights: the triangulation is then regular.
   bool weighted = false;
-  /// Of the input: as ReadOptions::format, or raw: little-endian doubles, for which `columns` says how many
-  /// a row has; empty: by extension.
+  /// The format of the input: as ReadOptions::format, or raw: little-endian doubles, `columns` of them in a
+  /// row; empty: by extension.
   std::string format;
   int columns = 0;
-  /// Of a file: the columns with the coordinates, by their names or numbers from 0 as ReadOptions::columns;
-  /// empty: all others. And the one with the weights; empty: the last.
+  /// The columns of a file with the coordinates, by names or numbers from 0 as ReadOptions::columns; empty:
+  /// all others. `weights` is the column with the weights; empty: the last.
   std::vector<std::string> coordinates;
   std::string weights;
-  /// Goes on with what an earlier call has left in the folder, if it was the same work.
+  /// Continue from what an earlier call with the same arguments has left in the folder.
   bool resume = true;
-  bool vtu = false;   ///< also tiles.pvtu and a .vtu per part, d ≤ 3
-  bool hdf5 = false;  ///< also tiles.h5; Errc::unsupported in a build without HDF5
+  bool vtu = false;   ///< also write tiles.pvtu and a .vtu per part, d ≤ 3
+  bool hdf5 = false;  ///< also write tiles.h5; Errc::unsupported in a build without HDF5
   /// As Options::progress.
   std::function<bool(double)> progress = {};
   /// Called once, before the first tile; return false to cancel (Errc::cancelled).
   std::function<bool(const TilesForecast&)> forecast = {};
 };
 
-/// One part of the folder: a tile and what it took.
+/// One part of the folder: a tile and its cost.
 struct TilePart {
   std::string file;               ///< within the folder: "part-0000.npz"
   std::int64_t first_cell = 0;    ///< the global id of its first cell
@@ -65,7 +65,7 @@ struct TilePart {
   std::int64_t num_rounds = 0;    ///< rounds of questions
 };
 
-/// What a folder of tiles holds: its index.json.
+/// The contents of a folder of tiles: its index.json.
 struct TilesIndex {
   int dimension = 0, affine_dimension = -1;
   bool weighted = false;
@@ -75,15 +75,15 @@ struct TilesIndex {
   std::vector<TilePart> parts;
 };
 
-/// One part, as its file holds it. Cells belong to the tile of their lexicographically smallest vertex.
+/// The contents of the file of one part. A cell belongs to the tile of its lexicographically smallest vertex.
 struct TileData {
   int dimension = 0, affine_dimension = -1;
   std::vector<std::int64_t> rows;   ///< v: the input row of each point below, the first of equal ones
   std::vector<double> points;       ///< v×d: the vertices of the cells, those of other tiles included
   std::vector<double> weights;      ///< v, or none
   std::vector<std::int32_t> cells;  ///< m×(k+1): numbers of points; positively oriented when k = d
-  /// m×(k+1): the cell of this part across the facet opposite each vertex; −1 beyond the convex hull;
-  /// −2 − s: the cell seams[s] of another part.
+  /// m×(k+1): the cell of this part across the facet opposite each vertex; −1 outside the convex hull; −2 −
+  /// s: the cell seams[s] of another part.
   std::vector<std::int32_t> neighbors;
   std::vector<std::int64_t> seams;          ///< global ids of cells
   std::vector<std::int64_t> own_rows;       ///< the input rows of the tile, increasing
@@ -97,46 +97,46 @@ struct TileData {
 
 /// The Delaunay triangulation, or the regular one, of the points of a file, as a folder of parts: the cells
 /// and the hash that Delaunay or Regular have in memory, for any number of tiles. The files are the same for
-/// every number of threads. After an error, and when the process is killed, finished parts stay, and the same
-/// call goes on with the tiles that are left. One process at a time works in a folder.
+/// every number of threads. After an error, or if the process is killed, finished parts stay, and the same
+/// call continues with the remaining tiles. Only one process at a time may work in a folder.
 ///
 /// Method: docs/decisions/0016-tiles-are-certified-not-merged.md. Cost: that of the triangulation times about
 /// 1 + foreign_share of the forecast, and several times as much from five dimensions on and on hypersurfaces
 /// (docs/tiles.md); three passes over the input; scratch files of twice the size of the points.
 ///
-/// Errors: those of reading, not_finite with rows(); invalid_argument for a folder that holds anything else
-/// or tiles of other points; out_of_memory where no number of tiles fits; unsupported (vtu for d > 3, hdf5);
-/// cannot_write; cancelled.
+/// Throws as read_points(), Errc::not_finite with rows(); invalid_argument for a folder that holds anything
+/// else or tiles of other points; out_of_memory if no number of tiles fits; unsupported (vtu for d > 3,
+/// hdf5); cannot_write; cancelled.
 DELONE_EXPORT TilesIndex make_tiles(const std::string& input, const std::string& folder,
                                     const TilesOptions& options = {});
-/// The same of points in memory: rows of d coordinates, and a weight if `weighted`.
+/// The same for points in memory: rows of d coordinates, and a weight if `weighted`.
 DELONE_EXPORT TilesIndex make_tiles(PointsView rows, const std::string& folder,
                                     const TilesOptions& options = {});
 
-/// The index of a finished folder, whose numbers agree with each other. Errors: cannot_open, bad_format.
+/// The index of a finished folder; its numbers agree with each other. Throws Errc::cannot_open, bad_format.
 DELONE_EXPORT TilesIndex read_tiles_index(const std::string& folder);
-/// Part number i of a finished folder, with its seams. Errors: invalid_argument, cannot_open, bad_format
-/// naming the array.
+/// Part number i of a finished folder, with its seams. Throws Errc::invalid_argument if there is no part i,
+/// cannot_open, bad_format naming the array.
 DELONE_EXPORT TileData read_tile(const std::string& folder, std::size_t i);
 
-/// A folder of tiles that is not finished: how many there will be, and how many are complete.
+/// A folder of tiles that is not finished: the number of all tiles, and of finished ones.
 struct UnfinishedTiles {
   std::size_t num_tiles = 0, num_finished = 0;
 };
-/// Nothing if the path is not such a folder. Changes nothing.
+/// nullopt if the path is not such a folder. Changes nothing.
 DELONE_EXPORT std::optional<UnfinishedTiles> find_unfinished_tiles(const std::string& folder);
 
-/// Examines a folder of tiles part by part, in memory for three parts (64 MiB at least), with scratch files
-/// in the folder: the levels of check() for triangulations, seams included. CheckReport::cells are global
-/// ids, points are rows of the input. Proves that the cells are the Delaunay or regular triangulation of
-/// their vertices, that every row is in one part, and that index.json is right. Coordinates of duplicates and
-/// hidden points are not in the folder: of these rows nothing else is proved. A part that cannot be read is a
-/// violation of level 1. Errors: those of read_tiles_index(), invalid_argument as for check() and for
-/// furthest_site and cells without orientation, cannot_write, out_of_memory.
+/// Examines a folder of tiles part by part: the levels of check() for triangulations, seams included. Needs
+/// the memory of three parts (at least 64 MiB) and writes scratch files into the folder. CheckReport::cells
+/// are global ids, points are rows of the input. Proves that the cells are the Delaunay or regular
+/// triangulation of their vertices, that every row is in one part, and that index.json is right. Coordinates
+/// of duplicates and hidden points are not in the folder: of these rows nothing else is proved. A part that
+/// cannot be read is a violation of level 1. Throws as read_tiles_index(), Errc::invalid_argument as check()
+/// and for furthest_site and cells without orientation, cannot_write, out_of_memory.
 DELONE_EXPORT CheckReport check_tiles(const std::string& folder, const CheckOptions& options = {});
 /// The same, and at level 6 against the input: rows of d coordinates, and a weight if points have weights.
 /// Vertices are these points, and duplicates are equal to their vertices: a triangulation of all points,
-/// except that nothing is proved of hidden ones. Further errors: bad_dimension, and invalid_argument for
+/// except that nothing is proved about hidden ones. Also throws Errc::bad_dimension, and invalid_argument for
 /// another number of points.
 DELONE_EXPORT CheckReport check_tiles(const std::string& folder, PointsView input,
                                       const CheckOptions& options = {});

@@ -46,8 +46,8 @@ struct InsertResult {
   bool inserted = false;             ///< false: a duplicate of an earlier point, or hidden
 };
 
-/// A triangulation of points in R^d: what holds for Delaunay<D>, Regular<D> and FurthestSite<D> alike. They
-/// are made as one of these, and passed as a `const Triangulation&` to what takes any.
+/// A triangulation of points in R^d: what holds for Delaunay<D>, Regular<D> and FurthestSite<D> alike. Make
+/// one of these, and pass it as a `const Triangulation&` to functions that take any.
 ///
 /// Method: incremental insertion with symbolic perturbation of ties; Hornus and Boissonnat, "An efficient
 /// implementation of Delaunay triangulations in medium dimensions", INRIA RR-6743 (2008); perturbation after
@@ -58,24 +58,25 @@ struct InsertResult {
 /// order or seed. Input that spans only a k-flat is triangulated inside its flat. Duplicates are merged.
 /// `const` members may be called from several threads at once. Expected cost for uniform points: O(n) cells
 /// and time per dimension; worst case O(n^⌈d/2⌉) cells. In 7 and 8 dimensions a first batch of at most 4000
-/// points leaves what only queries and insertions need, O(k³) time and 8(k+2) bytes per cell, to the first of
-/// them, which throws Errc::out_of_memory if that fails.
+/// points postpones what only queries and insertions need: the first of them spends O(k³) time and 8(k+2)
+/// bytes per cell on it, and throws Errc::out_of_memory if the memory is not there.
 ///
 /// An object that was moved from may be assigned to and destroyed, and nothing else. The same holds for all
 /// products.
 ///
-/// *Hidden points.* In a regular or furthest-site triangulation some points are no vertices. A vertex may
-/// become hidden by insertions and edits, and a hidden point may become a vertex when others are removed,
-/// moved or weighed anew. A Delaunay triangulation hides no point.
+/// *Hidden points.* In a regular or furthest-site triangulation some points are not vertices. Insertions and
+/// edits may hide a vertex; a hidden point may become a vertex when others are removed, moved or reweighted.
+/// A Delaunay triangulation hides no point.
 ///
-/// *Edits.* Points can be removed, moved, given other weights and inserted, one by one or many at once:
-/// remove(), move(), edit(). Whatever the history, the result is that of all rows that are left, inserted at
-/// once. An edit takes place whole or not at all: after any error (a row that is not there, not_finite,
-/// cancelled, out_of_memory) everything is as it was.
+/// *Edits.* Points can be removed, moved, reweighted and inserted, one by one or many at once: remove(),
+/// move(), edit(). Whatever the history, the result is that of inserting all remaining rows at once. An edit
+/// happens entirely or not at all: after any error (a row that does not exist, not_finite, cancelled,
+/// out_of_memory) the triangulation is unchanged.
 ///
-/// Ids are stable. A row keeps its number, and a vertex its id, as long as it is there, hidden or not; edits
-/// do not use them again, so that they get gaps (has_row(), Complex::finite_vertices()), until compact_ids().
-/// A vertex stays as long as a row is left at its place, and a row that moves alone takes its vertex along.
+/// Ids are stable. A row keeps its number, and a vertex its id, as long as it exists, hidden or not. Edits do
+/// not reuse numbers and ids, so gaps appear (has_row(), Complex::finite_vertices()); compact_ids() closes
+/// them. A vertex exists as long as a row remains at its place; a row that is alone there and moves takes the
+/// vertex along.
 class DELONE_EXPORT Triangulation {
  public:
   Triangulation(const Triangulation&) = delete;
@@ -83,25 +84,27 @@ class DELONE_EXPORT Triangulation {
 
   TriangulationKind kind() const;
 
-  /// Releases what only insertions need: from then on a cell takes 8(k+1) bytes, and the ids of cells change,
-  /// without gaps. Everything keeps working: queries are as exact as ever and some ten times slower, and the
-  /// next insertion first restores what was released, O(k³) per cell. Cost O(cells·k), and for a moment the
-  /// memory of both. After it nothing can be undone. Throws Errc::out_of_memory, and then changes nothing.
+  /// Releases what only insertions need. Afterwards a cell takes 8(k+1) bytes, and cells have other ids,
+  /// without gaps. Everything keeps working: queries are as exact as before and about ten times slower, and
+  /// the next insertion first restores what was released, O(k³) per cell. Cost O(cells·k); both copies are in
+  /// memory for a moment. Nothing can be undone afterwards. Throws Errc::out_of_memory, and then changes
+  /// nothing.
   void compact();
 
-  /// Gives cells ids by their vertices, without gaps: by the newest, and by a hash of all. Then the order of
-  /// cells, and of the vertices in each, is the same however many threads have built the triangulation, until
-  /// the next insertion. Does nothing where one thread has built it whatever Options::threads said. Uses up
-  /// to so many threads. Cost O(cells·k²), and for a moment 16 bytes per cell. After it nothing can be
-  /// undone. Throws Errc::out_of_memory, and then changes nothing.
+  /// Renumbers the cells without gaps by their vertices: by the newest vertex, then by a hash of all. The
+  /// order of cells, and of the vertices in each, is then the same for every number of threads, until the
+  /// next insertion. Has no effect if a single thread built the triangulation, whatever Options::threads was.
+  /// Uses up to Options::threads threads. Cost O(cells·k²), and for a moment 16 bytes per cell. Nothing can
+  /// be undone afterwards. Throws Errc::out_of_memory, and then changes nothing.
   void sort_cells();
 
   int dimension() const;           ///< d
   int affine_dimension() const;    ///< k ≤ d; 0 for one distinct point, −1 for none
-  std::size_t num_points() const;  ///< rows that are there, duplicates and hidden points included
-  std::size_t num_rows() const;    ///< one more than the number of the last row, with those that were removed
-  bool has_row(std::size_t row) const;  ///< whether a row, row < num_rows(), is there: not if it was removed
-  Index num_vertices() const;           ///< distinct points that are not hidden
+  std::size_t num_points() const;  ///< existing rows, duplicates and hidden points included
+  std::size_t num_rows() const;    ///< one more than the largest row number, removed rows included
+  /// Whether a row exists; false if it was removed. Throws Errc::invalid_argument unless row < num_rows().
+  bool has_row(std::size_t row) const;
+  Index num_vertices() const;  ///< distinct points that are not hidden
   std::size_t num_duplicates() const;
   Index num_finite_cells() const { return complex().num_finite_cells(); }
   Index num_infinite_cells() const { return complex().num_infinite_cells(); }
@@ -113,64 +116,72 @@ class DELONE_EXPORT Triangulation {
   Complex::CellRange infinite_cells() const { return complex().infinite_cells(); }
   Complex::CellRange all_cells() const { return complex().all_cells(); }
   /// The k+1 vertices of a cell, and its neighbors: neighbor i is opposite vertex i. Without allocation.
+  /// REQUIRES complex().is_cell(c).
   VerticesOfCell vertices(CellId c) const { return complex().vertices(c); }
   NeighborsOfCell neighbors(CellId c) const { return complex().neighbors(c); }
 
-  /// The d coordinates of a finite vertex.
+  /// The d coordinates of a finite vertex; valid until the next insertion or edit. Throws
+  /// Errc::invalid_argument if v is not a finite vertex.
   std::span<const double> point(VertexId v) const;
-  /// The first input row at a finite vertex.
+  /// The first input row at a finite vertex. Throws as point().
   std::size_t row_of(VertexId v) const;
-  /// The vertex at an input row, row < num_rows(); invalid_vertex for a row that was removed, or is hidden.
+  /// The vertex at an input row; invalid_vertex if the row was removed or is hidden. Throws
+  /// Errc::invalid_argument unless row < num_rows().
   VertexId vertex_at(std::size_t row) const;
   /// The k coordinate axes onto which the affine hull projects one-to-one, increasing; all d axes when k = d.
   std::vector<int> axes() const;
 
-  /// Whether the point of an input row, row < num_rows(), is hidden. O(1).
+  /// Whether the point of an input row is hidden. O(1). Throws Errc::invalid_argument unless row <
+  /// num_rows().
   bool is_hidden(std::size_t row) const;
-  /// How many rows are hidden: num_points() = num_vertices() + num_duplicates() + num_hidden(). O(rows).
+  /// The number of hidden rows: num_points() = num_vertices() + num_duplicates() + num_hidden(). O(rows).
   std::size_t num_hidden() const;
-  /// The rows that are hidden, increasing. O(rows).
+  /// The hidden rows, increasing. O(rows).
   std::vector<std::size_t> hidden_rows() const;
 
-  /// Removes a row, or many. Cost of one that is the only one at its place: that of some insertions there,
-  /// from 1.2 in 2D to five in 6D. Hidden points that may come back are inserted, too, or if they
-  /// are most of what is there, everything is built anew. The first edit also looks at all rows, and in a
-  /// regular or furthest-site triangulation finds a cell for each hidden point. Throws
-  /// Errc::invalid_argument, naming a row and its place in the list, if it is not there or is given twice.
+  /// Removes one row, or several. To remove a row that is alone at its place costs as much as 1.2 (2D) to 5
+  /// (6D) insertions there. Hidden points that may become vertices are inserted again; if they are most of
+  /// the points, everything is rebuilt. The first edit also scans all rows, and in a regular or furthest-site
+  /// triangulation locates each hidden point. Throws Errc::invalid_argument, naming the row and its place in
+  /// the list, if a row does not exist or is listed twice; cancelled, out_of_memory and time_limit (Options).
   void remove(std::size_t row) { remove(std::span(&row, 1)); }
   void remove(std::span<const std::size_t> rows);
 
-  /// Has changes() tell from now on what every insertion, edit and undo() does. Such a call then takes up to
-  /// twice as long. A batch of insertions takes up to three times as long, as one thread inserts the points
-  /// one by one; if they are more than those that are there, all cells are built anew instead.
+  /// From now on changes() tells what each insertion, edit and undo() did. Such a call then takes up to twice
+  /// as long. A batch of insertions takes up to three times as long, because one thread inserts its points
+  /// one by one; if it has more points than the triangulation, all cells are rebuilt instead.
   void record_changes(bool wanted = true);
-  /// What the last edit, insertion or undo() did; one without any row or point does not count. After
-  /// compact_ids(), compact() and sort_cells() nothing. Throws Errc::invalid_argument unless record_changes()
-  /// is on.
+  /// What the last edit, insertion or undo() did; a call without any row or point does not count. Empty after
+  /// compact_ids(), compact() and sort_cells(). Throws Errc::invalid_argument unless record_changes() is on.
   const Changes& changes() const;
 
-  /// Has undo() take back the last edit or insertion from now on; one without any row or point does not
-  /// count. Costs time as record_changes() does. Until the next one, memory for the cells
-  /// that it killed is kept, 8(k+1) + 4 bytes each, and for every row and vertex that it changed, some 16
-  /// bytes and its point; the cells themselves where it raised or lowered the affine dimension, or built
-  /// anew. After an edit that has begun and fails, nothing can be taken back.
+  /// From now on undo() can take back the last edit or insertion; a call without any row or point does not
+  /// count. Costs time as record_changes() does. Until the next change, a record is kept in memory: 8(k+1) +
+  /// 4 bytes for each cell that was destroyed, about 16 bytes and the point for each row and vertex that
+  /// changed, and all old cells if the affine dimension changed or everything was rebuilt. If an edit fails
+  /// after it has begun, nothing can be undone.
   void record_undo(bool wanted = true);
   bool can_undo() const;
-  /// Takes back the last edit or insertion: everything that members tell is as it was, ids included. Cannot
-  /// be taken back itself. Cost: that of the change. Throws Errc::invalid_argument unless can_undo().
+  /// Takes back the last edit or insertion: all members answer as before it, ids included. An undo cannot be
+  /// undone. Cost: that of the change. Throws Errc::invalid_argument unless can_undo().
   void undo();
 
-  /// Gives rows and vertices numbers without gaps, in their present order, and tells what they have become.
-  /// After it nothing can be undone. O(cells·k + rows). Throws Errc::out_of_memory, and then changes nothing.
+  /// Renumbers rows and vertices without gaps, in their present order, and returns the new numbers. Nothing
+  /// can be undone afterwards. O(cells·k + rows). Throws Errc::out_of_memory, and then changes nothing.
   CompactedIds compact_ids();
 
-  /// Where q lies, exactly. Cost: a walk from the hint. REQUIRES d finite coordinates.
+  /// Where the query lies, exactly. Cost: a walk from the hint, a cell near the query. Throws
+  /// Errc::bad_dimension unless the query has d coordinates, not_finite, invalid_argument if the hint is not
+  /// a cell, out_of_memory.
   Location locate(const AnyPoint<>& query, std::optional<CellId> hint = std::nullopt) const;
 
-  /// A plain copy: cells of point rows in the order of finite_cells().
+  /// A plain copy: cells of point rows, in the order of finite_cells(); with_points = false leaves the points
+  /// out.
   ComplexData to_data(bool with_points = true) const;
+  /// The hash of the vertices' coordinates and the set of cells, see CanonicalHash. O(n·d + cells·k).
   /// `threads`: as for canonical_hash() below.
   CanonicalHash hash(unsigned threads = 1) const;
+  /// What the triangulation has cost so far. O(1).
   Statistics statistics() const;
 
  protected:
@@ -182,7 +193,7 @@ class DELONE_EXPORT Triangulation {
   Triangulation& operator=(Triangulation&&) noexcept;
   ~Triangulation();
 
-  /// Inserts points as the next rows; `weights` are as many, or none: all are 0.
+  /// Inserts points as the next rows; `weights` has one per point, or is empty: all are 0.
   template <int D>
   void insert_points(AnyPoints<D>& points, std::span<const double> weights = {}) {
     points.require_dimension(dimension());
@@ -233,8 +244,8 @@ using OwnPoint = std::conditional_t<D == dynamic, std::vector<double>, std::arra
 
 }  // namespace detail
 
-/// canonical_hash() by several threads: at most so many; 0: as many as there are cores, where the data are
-/// large enough to gain by them.
+/// canonical_hash() by several threads. `threads`: the most to use; 0: one per core if the data are large
+/// enough to gain by it. Errors as for canonical_hash(data).
 DELONE_EXPORT CanonicalHash canonical_hash(const ComplexData& data, unsigned threads);
 
 }  // namespace delone

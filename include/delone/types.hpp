@@ -35,7 +35,7 @@ inline constexpr Index invalid_index = std::numeric_limits<Index>::max();
 inline constexpr CellId invalid_cell{invalid_index};
 inline constexpr VertexId invalid_vertex{invalid_index};
 
-/// The largest id that is ever handed out. Ids also fit the signed type of the same width, which files and
+/// The largest id that is ever assigned. Ids also fit the signed type of the same width, which files and
 /// arrays use.
 inline constexpr Index max_index = static_cast<Index>(std::numeric_limits<SignedIndex>::max()) - 1;
 

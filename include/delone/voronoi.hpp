@@ -28,55 +28,55 @@ concept OtherThan = !std::derived_from<T, Dual> && !std::same_as<T, Product>;
 
 }  // namespace detail
 
-/// A region cut off at a box, as geometry: d ≤ 3.
+/// A region clipped to a box, as geometry: d ≤ 3.
 struct ClippedRegion {
   std::vector<double> corners;  ///< m×d
   /// d = 3: the corners of each face, counterclockwise seen from outside. d = 2: one face, the polygon,
-  /// counterclockwise. d = 1: one face, the two ends. Empty where region and box have no interior in common.
+  /// counterclockwise. d = 1: one face, the two ends. Empty if region and box have no interior in common.
   std::vector<std::vector<Index>> faces;
   bool empty() const { return faces.empty(); }
 };
 
-/// How much of a diagram is made.
+/// The parts of a diagram to make.
 enum class DiagramParts {
-  regions,  ///< vertices, regions, rays: the smaller part of the work. Without ridges there are no volumes,
-            ///< and nothing is clipped
+  regions,  ///< vertices, regions, rays: the smaller part of the work. Without ridges there are no volumes
+            ///< and no clipping
   all,
 };
 
 /// How a diagram is made.
 struct DiagramOptions {
   DiagramParts parts = DiagramParts::all;
-  /// ε ≥ 0, a distance: what is not larger is left out of the diagram, see Diagram. 0: the exact diagram.
+  /// ε ≥ 0, a distance: smaller details are left out of the diagram, see Diagram. 0: the exact diagram.
   double tolerance = 0;
-  /// At most so many threads make the diagram; 0: as many as there are cores for this process, where it is
-  /// large enough to gain by them. The arrays do not depend on it, to the last bit.
+  /// The most threads to use; 0: one per core of this process if the diagram is large enough to gain by it.
+  /// The arrays do not depend on it, to the last bit.
   unsigned threads = 1;
-  /// As in Options; it stops the making of the diagram (Errc::cancelled). The fraction is 0 throughout.
+  /// As in Options; the fraction is always 0.
   std::function<bool(double)> progress = {};
 };
 
 /// A diagram of sites in R^d: for each site (distinct point) the region of the points of the flat that are
-/// not nearer to, or of no smaller power with respect to, any other site. What is true of it in every
-/// dimension; Voronoi<D> and PowerDiagram<D> make one, functions for all dimensions take a `const Diagram&`.
-/// Data of its own: the triangulation may change or go away afterwards.
+/// not nearer to, or of no smaller power with respect to, any other site. This is its interface for every
+/// dimension: make a Voronoi<D> or PowerDiagram<D>; functions for all dimensions take a `const Diagram&`.
+/// Owns its data: the triangulation may change or be destroyed afterwards.
 ///
 /// Points that span only a k-flat have their diagram inside the flat: vertices, rays and volumes are those of
 /// R^k, in d coordinates. One point (k = 0) has one region, everything, without vertices; no point (k = −1)
 /// has none.
 ///
-/// *Vertices* are the distinct centres of the spheres of the finite cells. That two cells have one sphere is
-/// decided exactly, so a cospherical set of points makes one vertex. Each coordinate is the double nearest to
-/// the exact one (ties to even; ±infinity beyond the range of doubles), and thus does not depend on how ties
-/// of the triangulation were decided. *Regions* are in the order of the sites' first input rows: without
+/// *Vertices* are the distinct centres of the spheres of the finite cells. Whether two cells have one sphere
+/// is decided exactly, so a cospherical set of points makes one vertex. Each coordinate is the double nearest
+/// to the exact one (ties to even; ±infinity beyond the range of doubles), and thus does not depend on how
+/// ties of the triangulation were decided. *Regions* are in the order of the sites' first input rows: without
 /// duplicates and hidden points region i is that of point i. *Ridges* are the facets between two regions, of
 /// dimension k−1 exactly: two regions that only touch in less have none. −1 stands for infinity in lists of
 /// vertices. The arrays are those of `scipy.spatial.Voronoi`, lists of lists as offsets into one array: list
 /// i is entries offsets[i] … offsets[i+1]−1.
 ///
-/// *Tolerance.* Rounded coordinates make slivers, and these make vertices and ridges that the unrounded
-/// points do not have. With a tolerance ε > 0 the exact diagram is made first and then simplified, in a
-/// canonical order:
+/// *Tolerance.* Rounded coordinates make slivers, which cause vertices and ridges that the unrounded points
+/// do not have. With a tolerance ε > 0 the exact diagram is made first and then simplified, in a canonical
+/// order:
 /// - Vertices become one, a *representative* among them, if each is within ε of it and edges no longer than
 ///   2ε connect them (k > 3: common ridges). Representatives are those of most ridges, ties by coordinates.
 ///   So there are no chains: no vertex moves further than ε.
@@ -88,18 +88,18 @@ struct DiagramOptions {
 /// - Vertices in no ridge any more are gone. Regions list the vertices of their ridges; a region whose
 ///   ridges are all gone keeps its site and lists none. Unbounded ridges stay, unless their rays become one:
 ///   rays of one vertex across hull facets that lie in one hyperplane exactly.
-/// All distances are certified: upper bounds, rounding included, are compared with ε. What cannot be shown to
-/// be within ε stays, as do vertices with infinite coordinates. Two vertices next to each other in a region
-/// (k = 2) or ridge (k = 3) may have lost the ridge between them where merging them would have moved a vertex
-/// too far. Volumes and clipped regions are those of the exact regions, so volumes add up as before.
+/// All distances are certified: upper bounds, rounding included, are compared with ε. Details that are not
+/// proved to be within ε stay, as do vertices with infinite coordinates. Two vertices next to each other in a
+/// region (k = 2) or ridge (k = 3) may have lost the ridge between them if merging them would have moved a
+/// vertex too far. Volumes and clipped regions are those of the exact regions, so volumes add up as before.
 ///
 /// Functions that take the number of a vertex, ridge or region REQUIRE that there is one; a hardened build
 /// (DELONE_HARDENED) checks this and throws Errc::invalid_argument.
 ///
 /// Cost: one solve of k equations per cell, and the size of the output; a tolerance adds a pass over the
-/// ridges, and keeps the exact diagram in memory if it changed anything. Errors: invalid_argument (a
-/// tolerance that is negative or not finite, or larger than the longest side of the bounding box of two sites
-/// or more), out_of_memory.
+/// ridges, and keeps the exact diagram in memory if it changed anything. Constructors throw
+/// Errc::invalid_argument (a tolerance that is negative or not finite, or larger than the longest side of the
+/// bounding box of two sites or more), cancelled, out_of_memory.
 class DELONE_EXPORT Diagram {
  public:
   int dimension() const { return dimension_; }                ///< d
@@ -118,7 +118,7 @@ class DELONE_EXPORT Diagram {
     return std::span(vertices_).subspan(i * ambient(), ambient());
   }
 
-  /// Whether the diagram has ridges: DiagramParts::all. Volumes, clipping and files need them: without, these
+  /// Whether the diagram has ridges: DiagramParts::all. Volumes, clipping and files need them and otherwise
   /// throw Errc::invalid_argument.
   bool has_ridges() const { return has_ridges_; }
   /// num_ridges()×2 input rows: the two sites of each ridge. Their bisector contains the ridge.
@@ -161,12 +161,12 @@ class DELONE_EXPORT Diagram {
 
   /// ε, the tolerance it was made with.
   double tolerance() const { return tolerance_; }
-  /// At least the largest distance of an exact vertex from the one that it became, and of a vertex taken out
-  /// of straight edges from these, rounded up; at most ε. 0 if nothing was merged.
+  /// A bound, rounded up, on the distance of an exact vertex from the one that replaced it, and of a vertex
+  /// removed from straight edges from these edges; at most ε. 0 if nothing was merged.
   double max_displacement() const { return max_displacement_; }
 
-  /// A plain copy, with the points of all input rows: what files hold. Throws invalid_argument without
-  /// ridges.
+  /// A plain copy, with the points of all input rows: the data of files. Throws Errc::invalid_argument
+  /// without ridges.
   VoronoiData to_data() const;
 
   /// The unbounded edges, one for each facet of the convex hull (hull facets in one hyperplane whose cells
@@ -189,19 +189,19 @@ class DELONE_EXPORT Diagram {
   /// The d-volume of each region within a box: always of dimension d, regions of flat input being those of
   /// R^d, prisms over the ones in the flat. The volumes add up to that of the box up to rounding. The
   /// combinatorics of every cut are exact. Cost: regions that lie inside the box as region_volumes(); others
-  /// one by one, 2^d corners and more. Errors: invalid_argument (box not of d finite numbers low < high),
-  /// unsupported (d > 12), out_of_memory.
+  /// one by one, 2^d corners and more. Throws Errc::invalid_argument (no ridges, or a box not of d finite
+  /// numbers low < high), unsupported (d > 12), out_of_memory.
   std::vector<double> region_volumes(const Box& box, unsigned threads = 1) const;
-  /// Calls `visit` with each region cut off at the box, in order. Errors: as region_volumes(box); unsupported
-  /// for d > 3.
+  /// Calls `visit` with each region clipped to the box, in order. Throws as region_volumes(box);
+  /// Errc::unsupported for d > 3.
   void for_each_clipped_region(
       const Box& box, const std::function<void(std::size_t region, const ClippedRegion&)>& visit) const;
   /// The bounding box of the sites, enlarged on each side by `margin` times its longest side (1 if that is
-  /// 0).
+  /// 0). Throws Errc::invalid_argument unless the margin is a number ≥ 0.
   Box bounding_box(double margin = 0.1) const;
 
  protected:
-  /// `weight`: of each vertex; empty if there are none.
+  /// `weight`: the weight of each vertex; empty if points have no weights.
   Diagram(const Triangulation& triangulation, const std::function<double(VertexId)>& weight,
           const DiagramOptions& options);
   Diagram(detail::Clone, const Diagram& other);
@@ -256,9 +256,11 @@ class DELONE_EXPORT Diagram {
 template <int D = dynamic>
 class Voronoi : public Diagram {
  public:
+  /// Throws as described for Diagram.
   explicit Voronoi(const Delaunay<D>& triangulation, const DiagramOptions& options = {})
       : Diagram(triangulation, {}, options) {}
-  /// Other triangulations have another dual; one that is only known as a Triangulation may be any of them.
+  /// Does not compile for other triangulations, whose dual is another diagram, or for a `Triangulation`,
+  /// which may be any.
   template <detail::OtherThan<Delaunay<D>, Voronoi<D>> Other>
   explicit Voronoi(const Other&, const DiagramOptions& = {}) : Voronoi(refused<Other>()) {}
   Voronoi(Voronoi&&) noexcept = default;
@@ -292,10 +294,11 @@ Voronoi(const Delaunay<D>&, const DiagramOptions& = {}) -> Voronoi<D>;
 template <int D = dynamic>
 class PowerDiagram : public Diagram {
  public:
+  /// Throws as described for Diagram.
   explicit PowerDiagram(const Regular<D>& triangulation, const DiagramOptions& options = {})
       : Diagram(
             triangulation, [&triangulation](VertexId v) { return triangulation.weight(v); }, options) {}
-  /// Other triangulations have another dual.
+  /// Does not compile for other triangulations.
   template <detail::OtherThan<Regular<D>, PowerDiagram<D>> Other>
   explicit PowerDiagram(const Other&, const DiagramOptions& = {}) : PowerDiagram(refused<Other>()) {}
   PowerDiagram(PowerDiagram&&) noexcept = default;
