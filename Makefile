@@ -14,73 +14,73 @@ sources = $(shell git ls-files --cached --others --exclude-standard '*.hpp' '*.c
 # Every target with a description.
 .PHONY: $(shell sed -n 's/^\([a-z0-9-]*\):.*\#\# .*/\1/p' Makefile)
 
-help:                 ## this list
+help:                 ## list these targets
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 16
 
-build:                ## the command, at build/release/delone, and the library
+build:                ## build the command (build/release/delone) and the library
 	tools/install_dependencies.sh build
 	cmake --preset release $(launcher) >/dev/null
 	cmake --build --preset release -j $(jobs)
 
-python:               ## the Python module: PYTHONPATH=build/release/python
+python:               ## build the Python module; use it with PYTHONPATH=build/release/python
 	tools/install_dependencies.sh python
 	cmake --preset release $(launcher) -DDELONE_BUILD_PYTHON=ON >/dev/null
 	cmake --build --preset release -j $(jobs)
 
-wheel: python         ## a wheel that stands alone, in build/wheels
+wheel: python         ## build a wheel that needs no other libraries, in build/wheels
 	DELONE_BUILD_DIR=build/release $(python_of_build) -m pip wheel --no-build-isolation --no-deps --no-index -w build/wheels .
 	@echo "The wheel: $$(ls -t build/wheels/delone-*.whl | head -n 1)"
 
-wheels:               ## a source distribution, a wheel that is compiled from it, the tests of Python with that in a new environment
+wheels:               ## build a source distribution and a wheel from it, and run the Python tests with that wheel in a new environment
 	tools/install_dependencies.sh test
 	for p in python3 /usr/bin/python3; do if $$p -c "import numpy, pytest, hypothesis, wheel" 2>/dev/null; then \
 	  exec $$p -B tests/python/check_wheel.py --full $(version) --wheels build/wheels; fi; done; exit 1
 
-demo: build           ## three real data sets: triangulated, checked, drawn
+demo: build           ## triangulate, check and draw three real data sets
 	tools/demo.sh build/release build/demo
 
-test: test-release test-asan  ## everything, then unit and fuzz tests under sanitizers
+test: test-release test-asan  ## run all tests, then the unit and fuzz tests under sanitizers
 
-test-release:         ## all tests of a release build
+test-release:         ## run all tests of a release build
 	tools/install_dependencies.sh test
 	cmake --preset test $(launcher)
 	cmake --build --preset test -j $(jobs)
 	ctest --preset test
 
-test-asan:            ## unit and fuzz tests, smaller, with clang's AddressSanitizer and UndefinedBehaviorSanitizer
+test-asan:            ## run smaller unit and fuzz tests under clang's AddressSanitizer and UndefinedBehaviorSanitizer
 	tools/install_dependencies.sh test clang
 	cmake --preset asan $(launcher)
 	cmake --build --preset asan -j $(jobs)
 	ctest --preset asan
 
-fuzz:                 ## every fuzz target for five minutes, with the sanitizers; FUZZ_SECONDS=60: for one
+fuzz:                 ## run every fuzz target under sanitizers for five minutes; FUZZ_SECONDS=60: for one minute
 	tools/install_dependencies.sh test clang
 	cmake --preset fuzz $(launcher) -DDELONE_FUZZ_SECONDS=$(or $(FUZZ_SECONDS),300)
 	cmake --build --preset fuzz -j $(jobs)
 	ctest --preset fuzz
 
-matrix:               ## builds of other kinds, with their tests, and a table of what passed: an hour; KINDS="tsan mpi": some of them
+matrix:               ## build and test all other configurations and print a table, in about an hour; KINDS="tsan mpi": only these
 	tools/matrix.py $(KINDS)
 
-tsan:                 ## the tests with threads, with clang's ThreadSanitizer
+tsan:                 ## run the tests that use threads under clang's ThreadSanitizer
 	tools/install_dependencies.sh test clang
 	cmake --preset tsan $(launcher)
 	cmake --build --preset tsan -j $(jobs)
 	ctest --preset tsan
 
-without-tbb:          ## unit tests and those of the command, of a build without threads
+without-tbb:          ## run the tests of units and of the command in a build without threads
 	tools/install_dependencies.sh test
 	cmake --preset without-tbb $(launcher)
 	cmake --build --preset without-tbb -j $(jobs)
 	ctest --preset without-tbb
 
-portable:             ## unit tests and those of the command, of a build without compiler extensions and system calls; same hashes
+portable:             ## the same in a build without compiler extensions and system calls; the hashes must be equal
 	tools/install_dependencies.sh test
 	cmake --preset portable $(launcher)
 	cmake --build --preset portable -j $(jobs)
 	ctest --preset portable
 
-mingw:                ## for Windows: delone.exe by mingw-w64, and the unit tests, run by Wine
+mingw:                ## build for Windows with MinGW-w64, and run the unit tests under Wine
 	tools/install_dependencies.sh test mingw
 	tools/build_mingw_packages.sh $(jobs)
 	cmake --preset mingw $(launcher)
@@ -90,7 +90,7 @@ mingw:                ## for Windows: delone.exe by mingw-w64, and the unit test
 	WINEPREFIX=$(CURDIR)/build/mingw-packages/wine PATH=$$PATH:/usr/lib/wine wineserver -p60 || [ $$? = 2 ]
 	ctest --preset mingw
 
-aarch64:              ## unit tests and hashes of results, cross-compiled for 64-bit ARM and run by QEMU
+aarch64:              ## build for 64-bit ARM, and run the unit tests and the tests of hashes under QEMU
 	tools/install_dependencies.sh build aarch64
 	tools/make_sysroot.sh arm64
 	cmake --preset aarch64 $(launcher)
@@ -104,49 +104,49 @@ s390x:                ## the same for s390x, which is big-endian
 	cmake --build --preset s390x -j $(jobs)
 	ctest --preset s390x
 
-libcxx:               ## the same of clang with libc++, on this machine
+libcxx:               ## the same with clang and libc++ on this machine
 	tools/install_dependencies.sh build libcxx
 	cmake --preset libcxx $(launcher)
 	cmake --build --preset libcxx -j $(jobs)
 	ctest --preset libcxx
 
-mpi:                  ## the tests of delone::mpi, at their full size, with 1, 2, 3 and 5 ranks
+mpi:                  ## run the tests of delone::mpi at full size, with 1, 2, 3 and 5 ranks
 	tools/install_dependencies.sh test mpi
 	cmake --preset test $(launcher) -DDELONE_BUILD_MPI=ON
 	cmake --build --preset test -j $(jobs) --target delone_cli delone_mpi_cli delone_mpi_tests delone_python delone_python_mpi
 	DELONE_TEST_SCALE=large ctest --preset test -L mpi
 
-packages:             ## Debian packages of the committed tree, in build/packages, tried in a clean system (as root)
+packages:             ## build Debian packages of the committed tree in build/packages, and try them in a clean system (as root)
 	tools/install_dependencies.sh packages
 	tools/debian_packages.py
 
-bench: python         ## the standard constructions, timed; takes minutes
+bench: python         ## time the standard constructions, in some minutes
 	tools/install_dependencies.sh bench
 	python3 benchmarks/construction.py build/release/delone
 	PYTHONPATH=build/release/python $(python_of_build) benchmarks/python.py
 
-paper:                ## the experiments of the report, in build/paper: an hour; QUICK=1: minutes; DOCS=1: over docs/experiments.md; HULL=/path/to/hull
+paper:                ## repeat the experiments of the report in build/paper, in an hour; QUICK=1: in minutes; DOCS=1: replaces docs/experiments.md; HULL=/path/to/hull
 	tools/install_dependencies.sh paper
 	cmake --preset bench $(launcher) >/dev/null
 	cmake --build --preset bench -j $(jobs)
 	PYTHONPATH=benchmarks $(python_with_plots) -m paper --build build/bench $(if $(QUICK),--quick) $(if $(DOCS),--docs) $(if $(HULL),--hull $(HULL)) $(PAPER)
 
-site: python          ## the documentation site, in build/site: pages, references of Python, C++ and the command
+site: python          ## build the documentation as a site in build/site: pages, and references of Python, C++ and the command
 	tools/install_dependencies.sh site
 	for p in $(python_of_build) python3 /usr/bin/python3; do if $$p -c "import furo, myst_parser, numpy" 2>/dev/null; then exec $$p -B tools/make_site.py build/release; fi; done; exit 1
 
-docs: python          ## run the programs and commands of the documentation, follow its links
+docs: python          ## run the examples of the documentation and follow its links
 	tools/check_docs.py build/release --python $(python_of_build)
 
-browser: site         ## the site in Chromium, as on a phone, and the pages of `delone view`
+browser: site         ## test the site in Chromium, as on a phone, and the pages of `delone view`
 	tools/install_dependencies.sh browser
 	SITE=build/site /usr/bin/python3 -B tests/site/test_in_browser.py
 	DELONE=build/release/delone /usr/bin/python3 -B tests/site/test_viewer.py
 
-viewer:               ## viewer/dist/viewer.html, the page that the library writes data into (needs Node and npm)
+viewer:               ## build viewer/dist/viewer.html, the page that results are embedded in (needs Node and npm)
 	cd viewer && npm ci --no-audit --no-fund && node build.mjs
 
-lint:                 ## formatting, layering, prose, clang-tidy
+lint:                 ## check formatting, layering and prose, and run clang-tidy
 	tools/install_dependencies.sh lint test
 	clang-format --dry-run -Werror $(sources)
 	tools/check_layering.py
