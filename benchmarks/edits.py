@@ -86,7 +86,7 @@ def ratio(above, what_above, below, what_below):
 
 
 def ratio_of_steps(rival, own):
-    """The median ratio of time steps, where the other program moves all vertices or builds anew, whichever is faster."""
+    """The median ratio of time steps, if the other program moves all vertices or rebuilds, whichever is faster."""
     pairs = [(operations(a), operations(b)) for a, b in zip(rival, own)]
     pairs = [(min(time for what, time in a.items() if what.startswith("time step")), b["time step, moves"])
              for a, b in pairs if "time step, moves" in a and "time step, moves" in b]
