@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Exact Delaunay and regular triangulations, convex hulls, intersections of halfspaces, Voronoi and power diagrams.
 
-Arrays go in and come out as NumPy arrays. Results are exact functions of the input: flat, duplicate and cospherical points are
-ordinary input, and no tolerance decides anything unless one is given. `delone.spatial` and `delone.interpolate` have the names and
-arguments of those in scipy; `patch_scipy` makes existing programs use them. `delone.tiles` is for more points than memory holds.
+Arguments and results are NumPy arrays. Results are exact functions of the input: flat, duplicate and cospherical points are
+ordinary input, and no tolerance decides anything unless one is given. `delone.spatial` and `delone.interpolate` have the names
+and arguments of their scipy counterparts; `patch_scipy` makes existing programs use them. `delone.tiles` is for more points
+than memory holds.
+
+In docstrings n is the number of input rows, d the number of coordinates, k <= d the dimension of the smallest flat that
+contains all points, and m the number of cells. Rows and cells are numbered from 0; -1 stands for none.
 """
 import importlib as _importlib
 

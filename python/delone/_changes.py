@@ -6,19 +6,36 @@ import numpy as np
 
 
 class Changes:
-    """What the last change of a triangulation did: arrays of ids, each increasing.
+    """Ids of the cells and vertices that the last change of a triangulation affected.
 
-    killed, born : ids of cells
-        Cells that are no more, by the `cell_ids` of before, and new ones, by those of now. An id may be in both. A cell in neither has
-        its id and its vertices still, but its neighbors may be new, and its vertices may have moved.
-    came : ids of vertices
-        New ones, hidden or not.
-    gone : ids of vertices
-        Those that have no row any more. Their ids are not used again.
-    hid, reappeared : ids of vertices
-        Those that had cells and have none, but still have rows; those that had rows but no cells, and have cells now.
-    moved : ids of vertices
-        Those with other coordinates or another weight.
+    All are increasing int32 arrays. See `Delaunay.changes`.
+
+    Parameters
+    ----------
+    killed : ndarray of int
+        Destroyed cells, by their `cell_ids` before the change.
+    born : ndarray of int
+        Created cells, by their `cell_ids` after it. A created cell may have the id of a destroyed one. A cell in neither array
+        has the same id and vertices as before, but its vertices may have moved, and its neighbors may be new.
+    came : ndarray of int
+        Added vertices, hidden or not, by their `vertex_ids`.
+    gone : ndarray of int
+        Removed vertices, without any row left. Their ids are not reused.
+    hid : ndarray of int
+        Vertices that became hidden: they have rows, but no cells any more.
+    reappeared : ndarray of int
+        Vertices that were hidden and have cells now.
+    moved : ndarray of int
+        Vertices with other coordinates or another weight.
+
+    Examples
+    --------
+    >>> import delone
+    >>> t = delone.Delaunay([[0, 0], [2, 0], [0, 2]])
+    >>> t.record_changes()
+    >>> t.insert_range([[0.5, 0.5]])
+    >>> t.changes
+    <delone.Changes: 1 killed, 3 born, 1 came>
     """
 
     __slots__ = ("killed", "born", "came", "gone", "hid", "reappeared", "moved")

@@ -22,27 +22,44 @@ class HullOfSet(NamedTuple):
 
 
 class ConvexHulls:
-    """The hulls of h sets of points in d dimensions; read-only arrays, one hull after the other.
+    """Hulls of h sets of points in d dimensions; a sequence of hulls.
 
-    offsets : (h+1,) int64
+    The arrays are read-only and hold one hull after the other. Entry i is a named tuple (affine_dimension, vertices, cells,
+    neighbors, equations, volume, area) whose rows are those of set i. Made by `convex_hulls`.
+
+    Parameters
+    ----------
+    offsets : (h+1,) ndarray of int64
         Set i consists of the rows ``offsets[i]:offsets[i+1]`` of all points together.
-    affine_dimensions : (h,) int32
-        k <= d, of the smallest flat that contains the set; 0 for one distinct point, -1 for none.
-    vertices : int32, vertex_offsets : (h+1,) int64
-        The rows of the extreme points, increasing, of equal rows the first: hull i has
-        ``vertices[vertex_offsets[i]:vertex_offsets[i+1]]``.
-    cells, neighbors : (m, d) int32, cell_offsets : (h+1,) int64
-        The simplices of the boundary, as rows, and the cell opposite each vertex. Hull i has the cells
-        ``cell_offsets[i]:cell_offsets[i+1]``; a flat one, k < d, has none. All vertices of cells are extreme. With a
-        point inside put first each cell is positively oriented (for d > 1).
-    equations : (m, d+1) float64
-        Unit outward normal and offset of each cell; the same for all cells of one facet.
-    volumes, areas : (h,) float64
-        The d-dimensional volume and the (d-1)-dimensional volume of the boundary. Of flat sets the limits: 0, and twice the
-        volume within the flat if k = d-1, else 0.
+    affine_dimensions : (h,) ndarray of int32
+        The dimension k <= d of the smallest flat that contains each set; 0 for one distinct point, -1 for none.
+    vertex_offsets : (h+1,) ndarray of int64
+        The extreme points of hull i are ``vertices[vertex_offsets[i]:vertex_offsets[i+1]]``.
+    vertices : ndarray of int
+        The rows of the extreme points, increasing; of equal rows the first.
+    cell_offsets : (h+1,) ndarray of int64
+        Hull i has the cells ``cell_offsets[i]:cell_offsets[i+1]``; a flat one, k < d, has none.
+    cells : (m, d) ndarray of int
+        The simplices of the boundary, as rows; all of them are extreme. With a point of the interior put first each cell is
+        positively oriented (for d > 1).
+    neighbors : (m, d) ndarray of int
+        The cell opposite each vertex.
+    equations : (m, d+1) ndarray of float64
+        Unit outward normal and offset of each cell, equal for all cells of one facet.
+    volumes : (h,) ndarray of float64
+        The d-dimensional volumes; 0 for flat sets.
+    areas : (h,) ndarray of float64
+        The (d-1)-dimensional volumes of the boundaries. For flat sets their limits: twice the volume within the flat if
+        k = d-1, else 0.
 
-    A sequence: entry i is a tuple (affine_dimension, vertices, cells, neighbors, equations, volume, area) with names, in the
-    rows of set i.
+    Examples
+    --------
+    >>> import delone
+    >>> hulls = delone.convex_hulls([[[0, 0], [1, 0], [0, 1]], [[0, 0], [2, 0], [0, 2], [0.5, 0.5]]])
+    >>> hulls.volumes
+    array([0.5, 2. ])
+    >>> hulls[1].vertices
+    array([0, 1, 2], dtype=int32)
     """
 
     __slots__ = ("affine_dimensions", "areas", "cell_offsets", "cells", "equations", "neighbors", "offsets", "vertex_offsets",
@@ -78,11 +95,55 @@ class ConvexHulls:
 
 def convex_hulls(points, offsets=None, *, seed=0, order="automatic", threads=0, progress=None, memory_limit=None,
                  time_limit=None) -> ConvexHulls:
-    """The convex hulls of many sets of points: a ConvexHulls.
+    """Compute the convex hulls of many sets of points.
 
-    `points` is a sequence of arrays (n_i, d), or an array (h, n, d); or, with `offsets`, one array (n, d) of which set i has the
-    rows ``offsets[i]:offsets[i+1]``. Exact as ConvexHull, of which small ones in a loop take several times as long. The
-    other arguments and errors are those of ConvexHull, without a tolerance; ValueError if arrays differ in d, or offsets do not increase from 0 to n.
+    Parameters
+    ----------
+    points : sequence of (n_i, d) array_like, (h, n, d) ndarray, or (n, d) array_like
+        The sets of points; with `offsets` the points of all sets in one array.
+    offsets : (h+1,) array_like of int, optional
+        Set i has the rows ``offsets[i]:offsets[i+1]``; from 0 to n, never decreasing.
+    seed : int, default 0
+        Seed of the random choices in the insertion order. Does not change the result.
+    order : {'automatic', 'as_given', 'shuffled'}
+        The insertion order. Does not change the result.
+    threads : int, default 0
+        The most threads to use; 0: one per core of this process if the work is large enough to gain by it.
+    progress : bool or callable, optional
+        True shows a progress bar. A function is called about ten times a second with the fraction done, 0 to 1; returning a
+        false value other than None cancels the call.
+    memory_limit : float, optional
+        The most bytes that the process may use during the call.
+    time_limit : float, optional
+        The most seconds that the call may take.
+
+    Returns
+    -------
+    ConvexHulls
+        The hulls.
+
+    Raises
+    ------
+    ValueError
+        If sets differ in d, or offsets decrease or do not run from 0 to n.
+    InputError
+        If a number is NaN or infinite.
+    CancelledError, OutOfMemoryError, TimeLimitError
+        If the progress function cancels the call, or a limit is reached.
+
+    See Also
+    --------
+    ConvexHull : One hull, with more answers.
+
+    Notes
+    -----
+    As exact as `ConvexHull`, and several times faster than a loop over small sets.
+
+    Examples
+    --------
+    >>> import delone
+    >>> delone.convex_hulls([[0], [3], [5], [6], [10]], offsets=[0, 2, 5]).volumes
+    array([3., 5.])
     """
     if offsets is None and isinstance(points, np.ndarray) and points.ndim == 3 and points.shape[0] > 0 < points.shape[2]:
         offsets = np.arange(points.shape[0] + 1) * points.shape[1]

@@ -16,10 +16,15 @@ __all__ = ["ComplexData", "Data", "HullData", "IntersectionData", "VoronoiData"]
 
 
 class Data:
-    """A result as plain arrays, with the names that files have: each member is an attribute, and `members` is a dict of all.
+    """Result as plain arrays, with the names that files use.
 
-    What the members are is said by the tables of docs/formats.md. Members that are not known are None. Immutable; equal to nothing but
-    itself. Index arrays are int32 (int64 in a build with 64-bit ids), and read-only as all arrays.
+    Each member is an attribute. docs/formats.md lists the members of each kind of result. Unknown members are None. Objects are
+    immutable, and equal only to themselves. Index arrays are int32 (int64 in a build with 64-bit ids); all arrays are read-only.
+
+    Parameters
+    ----------
+    members : dict
+        The members by name. Programs call `read` or the method `to_data` of a result instead.
     """
 
     __slots__ = ("_members",)
@@ -31,12 +36,12 @@ class Data:
 
     @property
     def members(self) -> Dict[str, Any]:
-        """A new dict of all members by name."""
+        """All members by name, a new dict."""
         return dict(self._members)
 
     @property
     def columns(self) -> Optional[Tuple[str, ...]]:
-        """What the coordinates are called; None if that is not known."""
+        """The names of the coordinates, a tuple; None if unknown."""
         names = self._members.get("column_names")
         return None if names is None else tuple(names)
 
@@ -60,9 +65,26 @@ class Data:
                                         for name, value in self._members.items()})
 
     def save(self, path, format: Optional[str] = None) -> None:
-        """Writes a file that `read` reads, or that other programs do: see docs/formats.md. The format is that of the extension unless it
-        is named. The file appears whole or not at all. Errors: Error, ValueError for arrays that do not fit each other, and for a diagram
-        of furthest sites, which no file can hold."""
+        """Write the arrays to a file.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            The file; "-" is standard output, for text formats.
+        format : str, optional
+            The format, see docs/formats.md. By default the extension of the path tells it.
+
+        Raises
+        ------
+        Error
+            If the file cannot be written, or the format cannot hold the result.
+        ValueError
+            If arrays disagree, or the data are a diagram of furthest sites, which no file can hold.
+
+        Notes
+        -----
+        The file appears whole or not at all.
+        """
         if self._members.get("furthest_site"):
             raise ValueError("a diagram of furthest sites, which no file can hold: save the FurthestSite triangulation")
         _core._write(self._kind, self._members, os.fsencode(path), format or "")
@@ -160,24 +182,38 @@ def values_of(given: Any, name: str) -> np.ndarray:
 
 
 class ComplexData(Data):
-    """A triangulation as plain arrays, whoever made it.
+    """Triangulation as plain arrays, from any program.
 
-    points : (n, d) float64
-    cells : (m, k+1)
-        Rows of `points`, the vertices of each cell.
-    neighbors : (m, k+1), or None
-        Cells: neighbor i is across the facet opposite vertex i; -1 if there is none. Derived from the cells where it is needed.
-    vertex_of_point : (n,), or None
-        The row each row was merged into: itself, or an equal one; -1 for a hidden point.
-    weights : (n,), or None
-        Of a regular triangulation.
-    affine_dimension : int
-        k; that of the cells unless it is given.
+    Arrays that can still be changed are copied.
 
-    column_names : d str
-        What the coordinates are called, "" where that is unknown.
+    Parameters
+    ----------
+    points : (n, d) array_like
+        The points, float64.
+    cells : (m, k+1) array_like of int
+        The vertices of each cell, as rows of `points`.
+    neighbors : (m, k+1) array_like of int, optional
+        The neighbors of each cell: number j is opposite vertex j, -1 outside the hull. If None, they are derived when needed.
+    vertex_of_point : (n,) array_like of int, optional
+        The row that each row was merged into: itself, or an equal one; -1 for a hidden or removed point.
+    weights : (n,) array_like, optional
+        The weights of a regular triangulation.
+    affine_dimension : int, optional
+        The dimension k. By default that of the cells.
+    column_names : list of str, optional
+        The names of the d coordinates; "" for an unknown one.
 
-    Copies of what can still be changed. Raises ValueError for arrays of other shapes and of other numbers.
+    Raises
+    ------
+    ValueError
+        If arrays have other shapes or types.
+
+    Examples
+    --------
+    >>> import delone
+    >>> data = delone.ComplexData([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]])
+    >>> bool(delone.check(data))
+    True
     """
 
     __slots__ = ()
@@ -205,21 +241,67 @@ class ComplexData(Data):
 
 
 class HullData(Data):
-    """A convex hull as plain arrays: `ConvexHull.to_data`, or what `read` has found in a file."""
+    """Convex hull as plain arrays.
+
+    Returned by `ConvexHull.to_data` and `read`. docs/formats.md lists the members.
+
+    Parameters
+    ----------
+    members : dict
+        The members by name.
+
+    Examples
+    --------
+    >>> import delone
+    >>> data = delone.ConvexHull([[0, 0], [1, 0], [0, 1]]).to_data()
+    >>> data.vertices
+    array([0, 1, 2], dtype=int32)
+    """
 
     __slots__ = ()
     _kind = "hull"
 
 
 class IntersectionData(Data):
-    """An intersection of halfspaces as plain arrays: `HalfspaceIntersection.to_data`, or what `read` has found in a file."""
+    """Intersection of halfspaces as plain arrays.
+
+    Returned by `HalfspaceIntersection.to_data` and `read`. docs/formats.md lists the members.
+
+    Parameters
+    ----------
+    members : dict
+        The members by name.
+
+    Examples
+    --------
+    >>> import delone
+    >>> data = delone.HalfspaceIntersection([[-1, 0], [1, -1]]).to_data()
+    >>> data.vertices
+    array([[0.],
+           [1.]])
+    """
 
     __slots__ = ()
     _kind = "intersection"
 
 
 class VoronoiData(Data):
-    """A Voronoi or power diagram as plain arrays: `Voronoi.to_data`, or what `read` has found in a file."""
+    """Voronoi or power diagram as plain arrays.
+
+    Returned by `Voronoi.to_data` and `read`. docs/formats.md lists the members.
+
+    Parameters
+    ----------
+    members : dict
+        The members by name.
+
+    Examples
+    --------
+    >>> import delone
+    >>> data = delone.Voronoi([[0, 0], [2, 0], [0, 2]]).to_data()
+    >>> data.vertices
+    array([[1., 1.]])
+    """
 
     __slots__ = ()
     _kind = "diagram"

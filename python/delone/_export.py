@@ -204,44 +204,69 @@ def _to_pyvista(mesh: Mesh) -> Any:
 
 
 SIMPLICIAL = """
-    The points keep their rows. In at most 3 dimensions; ValueError in more.
+    Points keep their rows.
+"""
+POINTS = "point_data : dict of str to (n,) or (n, c) array_like, optional\n        Values for each point, by their names."
+VERTICES = "point_data : dict of str to (v,) or (v, c) array_like, optional\n        Values for each vertex, by their names."
+AT_MOST_3 = "If there are more than 3 dimensions, or an array has another length."
 
-    point_data : {name: (n,) or (n, c) numbers}
-        One entry for each point.
-    cell_data : {name: (m,) or (m, c) numbers}
-        One entry for each cell"""
-
+# What a mesh shows, the arguments that it takes, and when it raises ValueError.
 CELLS = {
-    triangulation: f"""the cells as vertices, lines, triangles or tetrahedra.
-{SIMPLICIAL}.""",
-    alpha_complex: f"""the cells of the complex as vertices, lines, triangles or tetrahedra.
-{SIMPLICIAL}, or for each one of the triangulation. RuntimeError if points have been added to that.""",
-    lower_hull: f"""the cells as vertices, lines or triangles, with the height as the last coordinate.
-{SIMPLICIAL}, or for each facet.""",
-    convex_hull: f"""the cells of the boundary as vertices, lines or triangles.
-{SIMPLICIAL}, or for each facet.""",
-    diagram: """the bounded regions, of affine dimension 2 as polygons, of 3 as polyhedra.
-
-    The points are those of `vertices`. Cell data are, as in files, `region`, the number of each, and `point`, the row of its site;
-    unbounded regions are left out. ValueError in other dimensions.
-
-    point_data : {name: (v,) or (v, c) numbers}
-        One entry for each vertex of the diagram.
-    cell_data : {name: (n,) or (regions,) numbers, or rows of them}
-        One entry for each point of the input, or for each region.""",
-    intersection: """the facets of a bounded intersection, as lines in the plane, as polygons in space.
-
-    The points are those of `vertices`. Cell data `halfspace` is the row of each facet. ValueError in other dimensions, and if it is unbounded,
-    flat or empty.
-
-    point_data : {name: (v,) or (v, c) numbers}
-        One entry for each vertex.
-    cell_data : {name: (m,) or (f,) numbers, or rows of them}
-        One entry for each halfspace, or for each facet.""",
+    triangulation: ("the cells as vertices, lines, triangles or tetrahedra", SIMPLICIAL, f"""{POINTS}
+    cell_data : dict of str to (m,) or (m, c) array_like, optional
+        Values for each cell, by their names.""", AT_MOST_3),
+    alpha_complex: ("the cells of the complex as vertices, lines, triangles or tetrahedra", SIMPLICIAL, f"""{POINTS}
+    cell_data : dict of str to (m,) or (m, c) array_like, optional
+        Values for each cell of the complex, or of the triangulation, by their names.""", f"""{AT_MOST_3}
+    RuntimeError
+        If points have been added to the triangulation since."""),
+    lower_hull: ("the cells as vertices, lines or triangles", """
+    The height is the last coordinate. Points keep their rows.
+""", f"""{POINTS}
+    cell_data : dict of str to (m,) or (m, c) array_like, optional
+        Values for each cell, or for each facet, by their names.""", AT_MOST_3),
+    convex_hull: ("the cells of the boundary as vertices, lines or triangles", SIMPLICIAL, f"""{POINTS}
+    cell_data : dict of str to (m,) or (m, c) array_like, optional
+        Values for each cell, or for each facet, by their names.""", AT_MOST_3),
+    diagram: ("the bounded regions as polygons or polyhedra", """
+    The points are those of `vertices`. Unbounded regions are left out. Cell data `region` is the number of each region, and
+    `point` the row of its site.
+""", f"""{VERTICES}
+    cell_data : dict of str to (n,) or (regions,) array_like, optional
+        Values for each point, or for each region, by their names; rows of numbers are allowed.""",
+              "If the affine dimension is not 2 or 3, there are more than 3 dimensions, or an array has another length."),
+    intersection: ("the facets of a bounded intersection as lines or polygons", """
+    The points are those of `vertices`. Cell data `halfspace` is the row of each facet.
+""", f"""{VERTICES}
+    cell_data : dict of str to (m,) or (f,) array_like, optional
+        Values for each halfspace, or for each facet, by their names; rows of numbers are allowed.""",
+                   "If the dimension is not 2 or 3, if the intersection is unbounded, flat or empty, or an array has another length."),
 }
-TARGETS = {"to_meshio": ("A meshio.Mesh", "ImportError without meshio.", _to_meshio),
-           "to_vtk": ("A vtkUnstructuredGrid", "ImportError without VTK.", _to_vtk),
-           "to_pyvista": ("A pyvista.UnstructuredGrid", "ImportError without PyVista.", _to_pyvista)}
+TARGETS = {"to_meshio": ("meshio.Mesh", "meshio", _to_meshio),
+           "to_vtk": ("vtkUnstructuredGrid", "VTK", _to_vtk),
+           "to_pyvista": ("pyvista.UnstructuredGrid", "PyVista", _to_pyvista)}
+DOC = """Return {shown} for {program}.
+{more}
+    Parameters
+    ----------
+    {arguments}
+
+    Returns
+    -------
+    {result}
+        The mesh.
+
+    Raises
+    ------
+    ValueError
+        {errors}
+    ImportError
+        If {program} is missing.
+
+    Notes
+    -----
+    Cost: a copy, and for polyhedra a loop over all faces.
+    """
 
 
 def methods(make_mesh) -> Dict[str, Any]:
@@ -250,9 +275,10 @@ def methods(make_mesh) -> Dict[str, Any]:
 
 
 def _method(make_mesh, name: str):
-    result, errors, convert = TARGETS[name]
+    result, program, convert = TARGETS[name]
+    shown, more, arguments, errors = CELLS[make_mesh]
 
     def export(self, *, point_data=None, cell_data=None):
         return convert(make_mesh(self, point_data, cell_data))
-    export.__doc__ = f"{result}: {CELLS[make_mesh]}\n\n    {errors} Cost: a copy, and of polyhedra a loop over all faces."
+    export.__doc__ = DOC.format(shown=shown, more=more, arguments=arguments, result=result, errors=errors, program=program)
     return export

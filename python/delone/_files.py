@@ -21,27 +21,59 @@ _levels = {"complex": 6, "hull": 5, "diagram": 5, "intersection": 3}
 
 def read(path, *, format: Optional[str] = None, columns: Optional[Sequence[Union[str, int]]] = None, threads: int = 0,
          frame: bool = False) -> Any:
-    """Reads points or a result, by the readers of the command.
+    """Read points or a result from a file.
 
-    Of npz, json and off files whatever they hold: a `ComplexData`, `HullData`, `IntersectionData` or `VoronoiData` with its arrays; an
-    off file without faces holds points. Of npy, csv, tsv, txt, xyz, pts, ply and qhull files the points, an (n, d) float64 array. Of a
-    folder of tiles a `delone.tiles.Tiles`.
+    npz, json and off files hold points or a result; npy, csv, tsv, txt, xyz, pts, ply and qhull files hold points. A folder of
+    tiles is opened as `delone.tiles.Tiles`. docs/formats.md describes the formats.
 
+    Parameters
+    ----------
     path : str or os.PathLike
-        "-" is standard input. What gzip has compressed is read as if it were not, as in "a.csv.gz".
-    format : str
-        The format; by default the extension of the path.
-    columns : names, numbers from 0, or ranges as "2-5", both ends included
-        The columns of points to read, in this order; the file then holds points. A str is a name before it is a number.
-    threads : int
-        At most so many read text; 0: as many as there are cores, where that pays.
-    frame : bool
-        Return points as a pandas DataFrame with the column names of the file. Raises ImportError without pandas, and
-        TypeError if the file holds a result instead of points.
+        The file or folder; "-" is standard input. Files compressed by gzip are decompressed, as "a.csv.gz".
+    format : str, optional
+        The format. By default the extension of the path tells it.
+    columns : sequence of str or int, optional
+        The columns of points to read, in this order: names, numbers from 0, or ranges such as "2-5", both ends included.
+        A name takes precedence over a number. By default all columns.
+    threads : int, default 0
+        The most threads that parse text; 0: one per core if the file is large enough to gain by it.
+    frame : bool, default False
+        Return points as a pandas DataFrame with the column names of the file.
 
-    Numbers are read as the nearest float64. Arrays of results have the shapes that they must have; `check` examines what they say.
-    Errors: Error for a file that cannot be read, InputError, a ValueError, for one that is no such file and for NaN and infinities in
-    points; both name the file, and the line, row or member. Cost: O(size of the file), in memory.
+    Returns
+    -------
+    numpy.ndarray, pandas.DataFrame, Data or delone.tiles.Tiles
+        Points as an (n, d) float64 array; a result as `ComplexData`, `HullData`, `IntersectionData` or `VoronoiData`.
+
+    Raises
+    ------
+    Error
+        If the file cannot be read.
+    InputError
+        If the file violates its format, or points are NaN or infinite. The message names the line, row or member.
+    TypeError
+        If `frame` is true and the file holds a result.
+    ImportError
+        If `frame` is true and pandas is missing.
+
+    See Also
+    --------
+    check : Examine the contents of a result.
+    write_points : Write points.
+
+    Notes
+    -----
+    Numbers are read as the nearest float64. The shapes of all arrays of a result are checked; `check` examines their contents.
+    Cost: O(size of the file) time and memory.
+
+    Examples
+    --------
+    >>> import delone, os, tempfile
+    >>> path = os.path.join(tempfile.mkdtemp(), "points.csv")
+    >>> delone.write_points([[0, 0], [1, 0.5]], path, columns=["x", "y"])
+    >>> delone.read(path)
+    array([[0. , 0. ],
+           [1. , 0.5]])
     """
     name = os.fspath(path)
     if isinstance(name, bytes):
@@ -86,17 +118,43 @@ def _columns(columns: Any) -> List[str]:
 
 
 def write_points(points: npt.ArrayLike, path, format: Optional[str] = None, *, columns: Optional[Sequence[str]] = None) -> None:
-    """Writes points, (n, d) or a pandas DataFrame, for `read`, or for other programs.
+    """Write points to a file.
 
+    Parameters
+    ----------
+    points : (n, d) array_like or pandas.DataFrame
+        The points, finite numbers.
     path : str or os.PathLike
         The file; "-" is standard output.
-    format : str
-        npy, csv, tsv, txt, xyz, pts, off or qhull; by default the extension of the path.
-    columns : d str
-        The names of the coordinates, for csv and tsv; by default those of the DataFrame.
+    format : {'npy', 'csv', 'tsv', 'txt', 'xyz', 'pts', 'off', 'qhull'}, optional
+        The format. By default the extension of the path tells it.
+    columns : sequence of str, optional
+        The names of the d coordinates, for csv and tsv. By default those of the DataFrame.
 
-    The file appears whole or not at all, and numbers are read as the same ones. Errors: InputError for NaN and infinities, Error where the
-    file cannot be written, ValueError for another number of names. Cost: O(n d).
+    Raises
+    ------
+    InputError
+        If a number is NaN or infinite.
+    Error
+        If the file cannot be written.
+    ValueError
+        If the number of names is not d.
+
+    See Also
+    --------
+    read : Read them back.
+
+    Notes
+    -----
+    The file appears whole or not at all. `read` returns exactly the same numbers. Cost: O(n d).
+
+    Examples
+    --------
+    >>> import delone, os, tempfile
+    >>> path = os.path.join(tempfile.mkdtemp(), "points.npy")
+    >>> delone.write_points([[0, 0], [1, 0.5]], path)
+    >>> delone.read(path).shape
+    (2, 2)
     """
     if isinstance(columns, str):
         raise TypeError("columns: a sequence of names")
@@ -111,19 +169,34 @@ def write_points(points: npt.ArrayLike, path, format: Optional[str] = None, *, c
 
 
 def save(self, path, format: Optional[str] = None, *, qhull: Optional[str] = None) -> None:
-    """Writes a file, as the option -o of the command: for `read`, or for other programs.
+    """Write the result to a file.
 
+    Parameters
+    ----------
     path : str or os.PathLike
-        The file; "-" is standard output, for formats that are text.
-    format : str
-        By default the extension of the path. Of triangulations and hulls: npz, json (all arrays), off, vtu (ParaView), ply, stl, obj
-        (surfaces), msh (Gmsh), svg (plane), txt (cells), npy (cells), html (as `to_html`). Of diagrams: npz, json, svg, vtu, html. Of intersections: npz,
-        json, off, html.
-    qhull : str
-        Writes what Qhull prints for these options instead, as "o Fv".
+        The file; "-" is standard output, for text formats.
+    format : str, optional
+        The format; by default the extension of the path tells it. Triangulations and hulls: npz and json (all arrays), off,
+        vtu (ParaView), ply, stl and obj (surfaces), msh (Gmsh), svg (plane), txt and npy (cells), html (as `to_html`).
+        Diagrams: npz, json, svg, vtu, html. Intersections: npz, json, off, html.
+    qhull : str, optional
+        Write the output of Qhull for these options instead, such as "o Fv".
 
-    The file appears whole or not at all. npz and json keep the names of columns that the points came with. Errors: Error where the file
-    cannot be written, or the format cannot hold this dimension; ValueError for an unknown output of Qhull.
+    Raises
+    ------
+    Error
+        If the file cannot be written, or the format cannot hold the result.
+    ValueError
+        If Qhull has no such output, or `format` and `qhull` are both given.
+
+    See Also
+    --------
+    delone.read : Read a file.
+    to_data : The same arrays in memory.
+
+    Notes
+    -----
+    The file appears whole or not at all. npz and json keep the names of columns.
     """
     called = names(self)
     self._save(*_destination(path, format, qhull), called)
@@ -144,16 +217,25 @@ def _destination(path, format: Optional[str], qhull: Optional[str]) -> Tuple[byt
     return os.fsencode(path), text(format or "", "format"), None if qhull is None else text(qhull, "qhull")
 
 
-save_diagram.__doc__ = save.__doc__.replace("""    qhull : str
-""", """    box : (low, high), each of d numbers
-        svg and vtu hold what it leaves of the regions; by default `bounding_box()`. Unbounded regions end at it.
-    qhull : str
-""").replace("for an unknown output of Qhull.", "for an unknown output of Qhull, a box that another format\n"
-                                                        "    would not hold, and a diagram of furthest sites.")
+save_diagram.__doc__ = save.__doc__.replace("""    qhull : str, optional
+""", """    box : (low, high), optional
+        Clip the regions of svg and vtu to this box, two arrays (d,). By default to `bounding_box()`.
+    qhull : str, optional
+""").replace("are both given.", "are both given, if `box`\n        is given for another format, or for a diagram of furthest sites.")
 
 
 def to_data(self) -> Data:
-    """A copy as plain arrays, with the names that files have: a `ComplexData`, `HullData`, `IntersectionData` or `VoronoiData`."""
+    """Return a copy as plain arrays.
+
+    Returns
+    -------
+    ComplexData, HullData, IntersectionData or VoronoiData
+        The arrays, with the names that files use.
+
+    See Also
+    --------
+    save : Write these arrays to a file.
+    """
     kind, members = self._data()
     if kind == "diagram" and self._is_furthest:
         members["furthest_site"] = True
@@ -161,8 +243,18 @@ def to_data(self) -> Data:
 
 
 def alpha_to_data(self) -> ComplexData:
-    """A copy as plain arrays, with the names that files have: a `ComplexData` of all points and the cells of the complex. RuntimeError if
-    points have been added to the triangulation since."""
+    """Return the cells of the complex as plain arrays.
+
+    Returns
+    -------
+    ComplexData
+        All points, and the cells of the complex.
+
+    Raises
+    ------
+    RuntimeError
+        If points have been added to the triangulation since.
+    """
     whole = self.triangulation
     weights = whole.weights if isinstance(whole, _core.Regular) else None
     number = np.full(whole.num_cells + 1, -1, dtype=self.cells.dtype)  # of each cell within the complex; the last entry is beyond the hull
@@ -171,26 +263,60 @@ def alpha_to_data(self) -> ComplexData:
 
 
 def save_alpha(self, path, format: Optional[str] = None) -> None:
-    """Writes a file of all points and the cells of the complex: for `read`, or for other programs.
+    """Write all points and the cells of the complex to a file.
 
+    Parameters
+    ----------
     path : str or os.PathLike
-        The file; "-" is standard output, for formats that are text.
-    format : str
-        By default the extension of the path: those of `Delaunay.save` but html.
+        The file; "-" is standard output, for text formats.
+    format : str, optional
+        A format of `Delaunay.save` other than html. By default the extension of the path tells it.
 
-    The file appears whole or not at all. Errors: Error where the file cannot be written, or the format cannot hold this dimension;
-    RuntimeError if points have been added to the triangulation since.
+    Raises
+    ------
+    Error
+        If the file cannot be written, or the format cannot hold the complex.
+    RuntimeError
+        If points have been added to the triangulation since.
+
+    Notes
+    -----
+    The file appears whole or not at all.
     """
     self.to_data().save(path, None if format is None else text(format, "format"))
 
 
 class CheckReport(NamedTuple):
-    """What `check` has found. True if it is right.
+    """Report of `check`; true if there is no violation.
 
-    ok : whether there is no violation. level, name : the highest level that was examined, by its number and name: the one that failed, or
-    the last that was wanted. violation : the first violation, as text that names rows of arrays; empty if there is none. cells, points,
-    vertices, halfspaces : the rows that it is about. ties : of triangulations the facets between two cells on one sphere (level 5), of
-    hulls the ridges between two cells in one hyperplane (level 3).
+    Parameters
+    ----------
+    ok : bool
+        Whether there is no violation.
+    level : int
+        The highest level examined: the failing one, or the last one requested.
+    name : str
+        The name of that level.
+    violation : str
+        The first violation, naming rows of arrays; empty if there is none.
+    cells : tuple of int
+        The cells that the violation concerns.
+    points : tuple of int
+        The input rows that it concerns.
+    vertices : tuple of int
+        The vertices that it concerns.
+    halfspaces : tuple of int
+        The halfspaces that it concerns.
+    ties : int
+        For triangulations the number of facets between two cells on one sphere (level 5), for hulls the number of ridges
+        between two cells in one hyperplane (level 3).
+
+    Examples
+    --------
+    >>> import delone
+    >>> report = delone.check([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]])
+    >>> report.ok, report.level, report.name
+    (True, 6, 'completeness')
     """
 
     ok: bool
@@ -234,28 +360,62 @@ def _data_to_check(what: Any, cells: Optional[npt.ArrayLike], neighbors: Optiona
 def check(what: Any, cells: Optional[npt.ArrayLike] = None, *, neighbors: Optional[npt.ArrayLike] = None,
           weights: Optional[npt.ArrayLike] = None, level: Optional[int] = None, canonical: bool = False,
           any_orientation: Optional[bool] = None, furthest_site: Optional[bool] = None, threads: int = 0) -> CheckReport:
-    """Examines a result exactly, level after level, whoever made it: a `CheckReport`, which is true if there is no violation.
+    """Examine a result exactly, level after level.
 
-    what : a triangulation, hull, intersection or diagram of delone, what `read` has returned, or an object with `points` and `simplices`,
-        as scipy.spatial.Delaunay is. With `cells`: points, (n, d).
-    cells : (m, k+1) rows of points
-        The simplices of a triangulation, from anywhere. `neighbors`, (m, k+1), and `weights`, (n,), if there are any.
-    level : int
-        The highest level to examine, from 1; all by default. Triangulations: 1 storage, 2 incidence, 3 sphere, 4 volume, 5 local
-        convexity, 6 completeness. Hulls: 1 storage, 2 incidence, 3 convexity, 4 support, 5 completeness. Diagrams: 1 storage, 2 regions,
-        3 vertices, 4 ridges, 5 rays. Intersections: 1 storage, 2 support, 3 completeness.
-    canonical : bool
-        Of a triangulation: whether ties must be decided as delone decides them.
-    any_orientation : bool
-        Of a triangulation: take cells as sets of vertices. By default where `what` has simplices, whose order says nothing.
-    furthest_site : bool
-        Of a triangulation: require that no point is outside the sphere of a cell. By default what `what` says.
-    threads : int
-        At most so many; 0: as many as there are cores, where that pays.
+    The result may come from any program. The examination stops at the first violation.
 
-    No tolerance: all signs are exact. Errors: ValueError for a level that there is not, for arrays of wrong shapes, and for options of
-    triangulations with something else; TypeError for what cannot be checked; InputError for NaN. Cost: O(m k^3) for a triangulation,
-    O(n m k) for a hull; a diagram is made anew.
+    Parameters
+    ----------
+    what : object
+        A triangulation, hull, intersection or diagram of delone, what `read` has returned, or an object with `points` and
+        `simplices`, such as scipy.spatial.Delaunay. With `cells`: the points, an (n, d) array_like.
+    cells : (m, k+1) array_like of int, optional
+        The cells of a triangulation, as rows of the points.
+    neighbors : (m, k+1) array_like of int, optional
+        The neighbors of `cells`: number j is opposite vertex j, -1 outside the hull. By default they are derived.
+    weights : (n,) array_like, optional
+        The weights of the points of a regular triangulation, with `cells`.
+    level : int, optional
+        The highest level to examine, from 1; by default the last. Triangulations: 1 storage, 2 incidence, 3 sphere, 4 volume,
+        5 local convexity, 6 completeness. Hulls: 1 storage, 2 incidence, 3 convexity, 4 support, 5 completeness. Diagrams:
+        1 storage, 2 regions, 3 vertices, 4 ridges, 5 rays. Intersections: 1 storage, 2 support, 3 completeness.
+    canonical : bool, default False
+        Require that a triangulation breaks ties as delone does.
+    any_orientation : bool, optional
+        Take the cells of a triangulation as sets of vertices. By default true if `what` has `simplices`, whose order means
+        nothing.
+    furthest_site : bool, optional
+        Require of a triangulation that no point is outside the sphere of a cell. By default `what` tells.
+    threads : int, default 0
+        The most threads to use; 0: one per core if the data are large enough to gain by it.
+
+    Returns
+    -------
+    CheckReport
+        The report; true if there is no violation.
+
+    Raises
+    ------
+    ValueError
+        If there is no such level, if arrays have wrong shapes, or if options of triangulations are given for another result.
+    TypeError
+        If `what` cannot be checked.
+    InputError
+        If a number is NaN or infinite.
+
+    Notes
+    -----
+    There is no tolerance: all signs are exact. Cost: O(m k^3) for a triangulation, O(n m k) for a hull; the points of a diagram
+    are triangulated again.
+
+    Examples
+    --------
+    >>> import delone
+    >>> points = [[0, 0], [2, 0], [2, 1], [0, 2]]
+    >>> delone.check(points, [[0, 1, 3], [1, 2, 3]]).violation == ""
+    False
+    >>> bool(delone.check(delone.Delaunay(points)))
+    True
     """
     level = None if level is None else whole(level, "level", 1)
     threads = whole(threads, "threads")
@@ -270,18 +430,43 @@ def check(what: Any, cells: Optional[npt.ArrayLike] = None, *, neighbors: Option
 
 
 def generate(kind: str, n: int, dimension: int, seed: int = 0) -> npt.NDArray[np.float64]:
-    """n points of a named kind in dimension d: an (n, d) float64 array, the same bits for the same arguments on every platform.
+    """Generate points of a named kind.
 
+    The same arguments give the same bits on every platform.
+
+    Parameters
+    ----------
     kind : str
-        {}
+        The kind: {}.
     n : int
-        How many. Fewer are returned only by cube01, which has 2^d.
+        The number of points. Only cube01, which has 2^d corners, may return fewer.
     dimension : int
-        d >= 1.
-    seed : int
-        0 to 2^64 - 1.
+        The number of coordinates, d >= 1.
+    seed : int, default 0
+        The seed of random kinds, 0 to 2^64 - 1.
 
-    Errors: ValueError for an unknown kind, and for a combination that does not exist. Cost: O(n d).
+    Returns
+    -------
+    (n, d) ndarray of float64
+        The points.
+
+    Raises
+    ------
+    ValueError
+        If the kind is unknown, or does not exist for this n or d.
+
+    Notes
+    -----
+    Cost: O(n d).
+
+    Examples
+    --------
+    >>> import delone
+    >>> delone.generate("grid", 4, 2)
+    array([[0., 0.],
+           [0., 1.],
+           [1., 0.],
+           [1., 1.]])
     """
     n, dimension, seed = whole(n, "n", most=2**63 - 1), whole(dimension, "dimension", 1), whole(seed, "seed", most=2**64 - 1)
     if text(kind, "kind") not in _core._point_set_kinds():
@@ -295,6 +480,45 @@ generate.__doc__ = generate.__doc__.replace("{}", ", ".join(f"{name} ({text})" f
 def lower_hull(points: npt.ArrayLike, side: str = "lower", *, tolerance: float = 0.0, seed: int = 0, order: str = "automatic",
                threads: int = 0, progress: Any = None, memory_limit: Optional[float] = None,
                time_limit: Optional[float] = None) -> "_core.LowerHull":
-    """The lower (or upper) hull of points, (n, d), with respect to the last coordinate: a `LowerHull`, which says all else."""
+    """Compute the lower or upper hull of points with respect to the last coordinate.
+
+    Parameters
+    ----------
+    points : (n, d) array_like or pandas.DataFrame
+        The points, d >= 2: d-1 numbers of the composition, then the height.
+    side : {'lower', 'upper'}
+        Which hull.
+    tolerance : float, default 0.0
+        The largest height by which a point may be outside; 0 is exact.
+    seed : int, default 0
+        Seed of the random choices in the insertion order. Does not change the result.
+    order : {'automatic', 'as_given', 'shuffled'}
+        The insertion order. Does not change the result.
+    threads : int, default 0
+        The most threads to use; 0: one per core of this process if the work is large enough to gain by it.
+    progress : bool or callable, optional
+        True shows a progress bar. A function is called about ten times a second with the fraction done, 0 to 1; returning a
+        false value other than None cancels the call.
+    memory_limit : float, optional
+        The most bytes that the process may use during the call.
+    time_limit : float, optional
+        The most seconds that the call may take.
+
+    Returns
+    -------
+    LowerHull
+        The hull; its class describes arguments and errors.
+
+    See Also
+    --------
+    LowerHull : The class.
+
+    Examples
+    --------
+    >>> import delone
+    >>> hull = delone.lower_hull([[0.0, 0], [0.4, 1], [0.5, -1], [1, 0]])
+    >>> hull.vertices
+    array([0, 2, 3], dtype=int32)
+    """
     return _core.LowerHull(points, side, tolerance=tolerance, seed=seed, order=order, threads=threads, progress=progress,
                            memory_limit=memory_limit, time_limit=time_limit)

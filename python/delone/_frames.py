@@ -152,37 +152,92 @@ def _frame(product, points, data, labels=None) -> object:
 
 
 def triangulation(self):
-    """A pandas DataFrame with a row for each point: its coordinates, with the labels of `columns` or x0, x1, …; `vertex`, the row that it
-    was merged into, itself, or -1 if it is hidden; `cell`, one that has it as a vertex, or -1; of Regular `weight`. ImportError without
-    pandas."""
+    """Return the points as a pandas DataFrame, one row per point.
+
+    Returns
+    -------
+    pandas.DataFrame
+        The columns are the coordinates, with the labels of `columns` or x0, x1, ...;
+        `weight` (`Regular` only); `vertex`, the row that the row was merged into (itself for a vertex, -1 if it is hidden);
+        and `cell`, a cell with that vertex, or -1.
+
+    Raises
+    ------
+    ImportError
+        If pandas is missing.
+    """
     weights = {"weight": self.weights} if isinstance(self, _core.Regular) else {}
     return _frame(self, self.points, {**weights, "vertex": self.vertex_of_point, "cell": self.cell_of_point})
 
 
 def convex_hull(self):
-    """A pandas DataFrame with a row for each point: its coordinates, with the labels of `columns` or x0, x1, …, and its `kind`: extreme,
-    boundary, interior or duplicate, see `point_kinds`. ImportError without pandas."""
+    """Return the points as a pandas DataFrame, one row per point.
+
+    Returns
+    -------
+    pandas.DataFrame
+        The columns are the coordinates, with the labels of `columns` or x0, x1, ...;
+        and `kind`: extreme, boundary, interior or duplicate, see `point_kinds`.
+
+    Raises
+    ------
+    ImportError
+        If pandas is missing.
+    """
     return _frame(self, self.points, {"kind": (self.point_kinds, ["extreme", "boundary", "interior", "duplicate"])})
 
 
 def diagram(self):
-    """A pandas DataFrame with a row for each point: its coordinates, with the labels of `columns` or x0, x1, …; `region`, its number or -1;
-    `bounded`, whether that region is. ImportError without pandas."""
+    """Return the points as a pandas DataFrame, one row per point.
+
+    Returns
+    -------
+    pandas.DataFrame
+        The columns are the coordinates, with the labels of `columns` or x0, x1, ...;
+        `region`, the number of the region, or -1; and `bounded`, whether the region is bounded.
+
+    Raises
+    ------
+    ImportError
+        If pandas is missing.
+    """
     region = self.point_region
     return _frame(self, self.points, {"region": region, "bounded": np.append(self.is_bounded, False)[region]})
 
 
 def lower_hull(self):
-    """A pandas DataFrame with a row for each point: its coordinates, with the labels of `columns` or x0, x1, …; `height_above`, how far it
-    is above the hull, 0 for points exactly on it; `is_vertex`, whether it is an extreme point of this side (of equal rows the first).
-    ImportError without pandas."""
+    """Return the points as a pandas DataFrame, one row per point.
+
+    Returns
+    -------
+    pandas.DataFrame
+        The columns are the coordinates, with the labels of `columns` or x0, x1, ...;
+        `height_above`, the height above the hull, 0 exactly on it; and `is_vertex`, whether the row is an extreme point of
+        this side (of equal rows the first).
+
+    Raises
+    ------
+    ImportError
+        If pandas is missing.
+    """
     is_vertex = np.zeros(self.num_points, dtype=bool)
     is_vertex[self.vertices] = True
     return _frame(self, self.points, {"height_above": self.height_above(self.points), "is_vertex": is_vertex})
 
 
 def intersection(self):
-    """A pandas DataFrame with a row for each halfspace: its numbers, with the labels of `columns` or a0, a1, … and b, and its `kind`: facet,
-    touching, redundant, duplicate or trivial, see `kinds`. ImportError without pandas."""
+    """Return the halfspaces as a pandas DataFrame, one row per halfspace.
+
+    Returns
+    -------
+    pandas.DataFrame
+        The columns are the numbers of the row, with the labels of `columns` or a0, a1, ... and b; and `kind`: facet,
+        touching, redundant, duplicate or trivial, see `kinds`.
+
+    Raises
+    ------
+    ImportError
+        If pandas is missing.
+    """
     labels = [*(f"a{j}" for j in range(self.dimension)), "b"]
     return _frame(self, self.halfspaces, {"kind": (self.kinds, ["facet", "touching", "redundant", "duplicate", "trivial"])}, labels)

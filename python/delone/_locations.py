@@ -8,16 +8,32 @@ import numpy as np
 
 
 class Locations:
-    """Where queries lie.
+    """Where queries lie; a sequence of (kind, cell, face).
 
-    kind : (q,) uint8
-        Numbers into `kinds`, the names.
-    cell : (q,)
-        A cell that contains the query; −1 if there is none.
-    face_offsets : (q+1,) int64, face_rows : rows of the input
-        The smallest face that contains query i is spanned by the rows ``face_rows[face_offsets[i]:face_offsets[i+1]]``, increasing.
+    Entry i is the name of the kind, the cell, and the rows of the face as a tuple.
 
-    A sequence: entry i is (name of the kind, cell, tuple of rows).
+    Parameters
+    ----------
+    kind : (q,) ndarray of uint8
+        The kind of each query, a number into `kinds`.
+    cell : (q,) ndarray of int
+        A cell that contains each query; -1 if there is none.
+    face_offsets : (q+1,) ndarray of int64
+        The offsets of the faces: that of query i is ``face_rows[face_offsets[i]:face_offsets[i+1]]``.
+    face_rows : ndarray of int
+        The input rows that span the smallest face that contains each query, increasing.
+    kinds : tuple of str
+        The names of the kinds.
+
+    Examples
+    --------
+    >>> import delone
+    >>> t = delone.Delaunay([[0, 0], [2, 0], [0, 2]])
+    >>> for place in t.locate([[0.5, 0.5], [1, 0], [3, 3]]):
+    ...     print(place)
+    ('in_cell', 0, (0, 1, 2))
+    ('on_face', 0, (0, 1))
+    ('outside_hull', -1, ())
     """
 
     __slots__ = ("cell", "face_offsets", "face_rows", "kind", "kinds")

@@ -35,21 +35,46 @@ class _Patched:
 
 
 def patch_scipy(names: Optional[Iterable[str]] = None):
-    """Makes programs that use scipy use delone: replaces classes and functions of scipy.spatial and scipy.interpolate by those of
-    `delone.spatial` and `delone.interpolate`.
+    """Make programs that use scipy use delone.
 
-    names : their names, or one of them; None for all: ConvexHull, Delaunay, HalfspaceIntersection, Voronoi, tsearch, the plots in the
-        plane; LinearNDInterpolator, NearestNDInterpolator, CloughTocher2DInterpolator, griddata.
+    Replaces classes and functions of scipy.spatial and scipy.interpolate by those of `delone.spatial` and `delone.interpolate`.
+    Call it before the program's imports: a module keeps what it has imported before by ``from scipy.spatial import Delaunay``.
 
-    Call it before the program's imports: what a module has imported by ``from scipy.spatial import Delaunay`` before, it keeps.
-    `unpatch_scipy` restores scipy's names; modules that have imported ours keep those. As a context manager, the call restores
-    at the end of the block what it has replaced::
+    Parameters
+    ----------
+    names : str or iterable of str, optional
+        The names to replace; None: ConvexHull, Delaunay, HalfspaceIntersection, Voronoi, tsearch, the plots in the plane,
+        LinearNDInterpolator, NearestNDInterpolator, CloughTocher2DInterpolator and griddata.
 
-        with delone.patch_scipy():
-            import program
+    Returns
+    -------
+    context manager
+        Restores the names that this call replaced at the end of a ``with`` block. May be ignored.
 
-    ``python -m delone program.py`` runs a program patched. Meanwhile `delone.spatial.QhullError` is scipy's own. A second call replaces
-    nothing. ImportError without scipy, ValueError for a name that is not replaced.
+    Raises
+    ------
+    ImportError
+        If scipy is missing.
+    ValueError
+        If a name is not one of these.
+
+    See Also
+    --------
+    scipy_is_patched : Whether names are replaced.
+    unpatch_scipy : Restore scipy's names.
+
+    Notes
+    -----
+    ``python -m delone program.py`` runs a program patched. While scipy is patched, `delone.spatial.QhullError` is scipy's own. A
+    second call replaces nothing. Modules that have imported delone's names keep them after `unpatch_scipy`.
+
+    Examples
+    --------
+    >>> import delone
+    >>> with delone.patch_scipy():
+    ...     from scipy.spatial import Delaunay
+    >>> Delaunay.__module__
+    'delone.spatial._delaunay'
     """
     chosen = {names} if isinstance(names, str) else None if names is None else set(names)
     known = {name for replaced, _ in _REPLACED.values() for name in replaced}
@@ -70,13 +95,19 @@ def patch_scipy(names: Optional[Iterable[str]] = None):
 
 
 def unpatch_scipy() -> None:
-    """Restores all names that `patch_scipy` has replaced."""
+    """Restore all names that `patch_scipy` has replaced."""
     with _lock:
         _restore(list(_originals))
 
 
 def scipy_is_patched() -> bool:
-    """Whether names of scipy are replaced."""
+    """Return whether names of scipy are replaced.
+
+    Returns
+    -------
+    bool
+        True from `patch_scipy` to `unpatch_scipy`.
+    """
     return bool(_originals)
 
 

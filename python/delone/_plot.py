@@ -95,31 +95,55 @@ def _edges_of_triangles(cells, neighbors, chosen):
 
 def triangulation(self, ax=None, *, values=None, values_at=None, cells=None, axes=None, points=None, shading="gouraud", cmap=None, norm=None,
                   vmin=None, vmax=None, colorbar=None, **keywords):
-    """Draws the triangulation with Matplotlib, and returns the Axes.
+    """Draw the triangulation with Matplotlib.
 
-    In 2D the edges, or the triangles in colors; in 3D the hull facets, or the border of the chosen cells. The colors stand for values.
+    In 2D the edges, or with values the triangles in colors; in 3D the hull facets, or the border of the chosen cells.
 
-    ax : Matplotlib Axes
-        Where to draw. New ones, if not given: with equal scales, and in 3D with projection="3d". ValueError for 2D Axes and 3D points.
-    values : (n,) or (m,) numbers
-        One for each point, or for each cell. Of points, triangles show the linear interpolation, faces in 3D the mean of their corners.
-    values_at : "points" or "cells"
-        Which of both, if there are as many points as cells.
-    cells : (m,) bool, or numbers of cells
-        Draws only these: for example those of small radius, an alpha shape, or ``trim(…).kept``.
-    axes : two or three coordinates
-        Draws points and edges in these coordinates, of points in any dimension; values are those of the points.
-    points : bool
-        Whether the vertices are dots; by default, if there are at most 1000.
-    shading : "gouraud" or "flat"
-        Of values at points in 2D: interpolated, or the mean of the corners.
-    cmap, norm, vmin, vmax : as everywhere in Matplotlib
-    colorbar : bool or str
-        Whether a color bar is drawn beside values, and its label; by default it is.
-    keywords : of the collection that is drawn: LineCollection, PolyCollection, or Poly3DCollection in 3D
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes, optional
+        Where to draw. By default new axes with equal scales, in 3D with ``projection="3d"``.
+    values : (n,) or (m,) array_like, optional
+        A number for each point, or for each cell. Triangles show the linear interpolation of values of points, faces in 3D the
+        mean of their corners.
+    values_at : {'points', 'cells'}, optional
+        What the values belong to, if there are as many points as cells.
+    cells : (m,) array_like of bool, or array_like of int, optional
+        The cells to draw, such as those of small radius, or ``trim(...).kept``.
+    axes : sequence of int, optional
+        Draw points and edges in these two or three coordinates; values are those of the points.
+    points : bool, optional
+        Whether to draw the vertices as dots. By default if there are at most 1000.
+    shading : {'gouraud', 'flat'}
+        Whether values of points are interpolated in a triangle, or averaged over its corners.
+    cmap : str or matplotlib.colors.Colormap, optional
+        The colors of values.
+    norm : matplotlib.colors.Normalize, optional
+        The scale of values.
+    vmin : float, optional
+        The value of the first color.
+    vmax : float, optional
+        The value of the last color.
+    colorbar : bool or str, optional
+        Whether to draw a color bar beside values, or its label. By default there is one.
+    **keywords : dict
+        Arguments of the LineCollection, PolyCollection or Poly3DCollection that is drawn.
 
-    ValueError in other dimensions than 2 and 3, without `axes`. ImportError without Matplotlib. Cost: one collection; 10^5 triangles take
-    about a second.
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes.
+
+    Raises
+    ------
+    ValueError
+        If the dimension is not 2 or 3 and `axes` is not given, or arguments do not suit each other.
+    ImportError
+        If Matplotlib is missing.
+
+    Notes
+    -----
+    Draws one collection; 10^5 triangles take about a second.
     """
     canvas = Canvas(ax, self, axes)
     x, corners, k = self.points, self.cells, self.affine_dimension
@@ -182,20 +206,47 @@ def triangulation(self, ax=None, *, values=None, values_at=None, cells=None, axe
 
 def convex_hull(self, ax=None, *, values=None, values_at=None, axes=None, points=None, cmap=None, norm=None, vmin=None, vmax=None, colorbar=None,
                 **keywords):
-    """Draws the hull with Matplotlib, and returns the Axes.
+    """Draw the hull with Matplotlib.
 
     In 2D the polygon and the points; in 3D the facets, with their ridges as lines.
 
-    ax, axes, cmap, norm, vmin, vmax, colorbar : as for `Delaunay.plot`
-    values : (n,), (f,) or (m,) numbers
-        One for each point, each facet, or each cell. In 2D points are dots in these colors, in 3D faces have the mean of their corners.
-    values_at : "points", "facets" or "cells"
-        Which of these, if there are as many of one as of the other; otherwise the first that fits.
-    points : bool
-        Whether all points are drawn, as dots; by default, if there are at most 1000.
-    keywords : of the collection that is drawn: PolyCollection, LineCollection for values of facets in 2D, or Poly3DCollection
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes, optional
+        Where to draw. By default new axes with equal scales, in 3D with ``projection="3d"``.
+    values : (n,), (f,) or (m,) array_like, optional
+        A number for each point, facet or cell. Values of points color the dots in 2D; in 3D faces have the mean of their
+        corners.
+    values_at : {'points', 'facets', 'cells'}, optional
+        What the values belong to. By default the first that has as many entries.
+    axes : sequence of int, optional
+        Draw points and edges in these two or three coordinates.
+    points : bool, optional
+        Whether to draw all points as dots. By default if there are at most 1000.
+    cmap : str or matplotlib.colors.Colormap, optional
+        The colors of values.
+    norm : matplotlib.colors.Normalize, optional
+        The scale of values.
+    vmin : float, optional
+        The value of the first color.
+    vmax : float, optional
+        The value of the last color.
+    colorbar : bool or str, optional
+        Whether to draw a color bar beside values, or its label. By default there is one.
+    **keywords : dict
+        Arguments of the PolyCollection, LineCollection (values of facets in 2D) or Poly3DCollection that is drawn.
 
-    ValueError in other dimensions than 2 and 3, without `axes`. ImportError without Matplotlib.
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes.
+
+    Raises
+    ------
+    ValueError
+        If the dimension is not 2 or 3 and `axes` is not given, or arguments do not suit each other.
+    ImportError
+        If Matplotlib is missing.
     """
     canvas = Canvas(ax, self, axes)
     x, corners, k = self.points, self.cells, self.affine_dimension
@@ -242,20 +293,44 @@ def convex_hull(self, ax=None, *, values=None, values_at=None, axes=None, points
 
 
 def lower_hull(self, ax=None, *, values=None, axes=None, points=None, cmap=None, norm=None, vmin=None, vmax=None, colorbar=None, **keywords):
-    """Draws the cells over the compositions with Matplotlib, the phase diagram, and returns the Axes.
+    """Draw the cells over the compositions, the phase diagram, with Matplotlib.
 
-    Of compositions in the plane or in space the edges of the cells; of one number the hull itself, heights over compositions.
+    For compositions in the plane or in space the edges of the cells; for one number the hull itself, heights over compositions.
 
-    ax, cmap, norm, vmin, vmax, colorbar : as for `Delaunay.plot`
-    values : (n,) numbers
-        One for each point, such as ``height_above(points)``: points are dots in these colors.
-    axes : two or three coordinates
-        Draws others than those of the compositions; the last one of all is the height.
-    points : bool
-        Whether the points are dots; by default they are.
-    keywords : of the LineCollection, or Line3DCollection
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes, optional
+        Where to draw. By default new axes with equal scales, in 3D with ``projection="3d"``.
+    values : (n,) array_like, optional
+        A number for each point, such as ``height_above(points)``: the colors of the dots.
+    axes : sequence of int, optional
+        Draw these two or three coordinates instead of the composition; the last one of all is the height.
+    points : bool, optional
+        Whether to draw the points as dots. By default they are drawn.
+    cmap : str or matplotlib.colors.Colormap, optional
+        The colors of values.
+    norm : matplotlib.colors.Normalize, optional
+        The scale of values.
+    vmin : float, optional
+        The value of the first color.
+    vmax : float, optional
+        The value of the last color.
+    colorbar : bool or str, optional
+        Whether to draw a color bar beside values, or its label. By default there is one.
+    **keywords : dict
+        Arguments of the LineCollection or Line3DCollection that is drawn.
 
-    ValueError for compositions of more than three numbers, without `axes`. ImportError without Matplotlib.
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes.
+
+    Raises
+    ------
+    ValueError
+        If compositions have more than three numbers and `axes` is not given, or arguments do not suit each other.
+    ImportError
+        If Matplotlib is missing.
     """
     if axes is None:
         if self.dimension > 4:
@@ -270,10 +345,48 @@ def lower_hull(self, ax=None, *, values=None, axes=None, points=None, cmap=None,
 
 def alpha_complex(self, ax=None, *, values=None, values_at=None, points=None, shading="gouraud", cmap=None, norm=None, vmin=None, vmax=None,
                   colorbar=None, **keywords):
-    """Draws the cells of the complex with Matplotlib, in 3D their surface, and returns the Axes: ``triangulation.plot(cells=cell_numbers)``.
+    """Draw the cells of the complex with Matplotlib, in 3D their surface.
 
-    All arguments are those of `Delaunay.plot`: values are for each point, or for each cell of the triangulation. RuntimeError if points
-    have been added to the triangulation since.
+    The same as ``triangulation.plot(cells=cell_numbers)``.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes, optional
+        Where to draw. By default new axes with equal scales, in 3D with ``projection="3d"``.
+    values : (n,) or (m,) array_like, optional
+        A number for each point, or for each cell of the triangulation.
+    values_at : {'points', 'cells'}, optional
+        What the values belong to, if there are as many points as cells.
+    points : bool, optional
+        Whether to draw the vertices as dots. By default if there are at most 1000.
+    shading : {'gouraud', 'flat'}
+        Whether values of points are interpolated in a triangle, or averaged over its corners.
+    cmap : str or matplotlib.colors.Colormap, optional
+        The colors of values.
+    norm : matplotlib.colors.Normalize, optional
+        The scale of values.
+    vmin : float, optional
+        The value of the first color.
+    vmax : float, optional
+        The value of the last color.
+    colorbar : bool or str, optional
+        Whether to draw a color bar beside values, or its label. By default there is one.
+    **keywords : dict
+        Arguments of the collection that is drawn, see `Delaunay.plot`.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes.
+
+    Raises
+    ------
+    ValueError
+        If the dimension is not 2 or 3 and `axes` is not given, or arguments do not suit each other.
+    ImportError
+        If Matplotlib is missing.
+    RuntimeError
+        If points have been added to the triangulation since.
     """
     return self.triangulation.plot(ax, values=values, values_at=values_at, cells=self.cell_numbers, points=points, shading=shading, cmap=cmap,
                                    norm=norm, vmin=vmin, vmax=vmax, colorbar=colorbar, **keywords)
@@ -295,27 +408,51 @@ def facets_of_hull(hull):
 
 def diagram(self, ax=None, *, values=None, values_at=None, regions=None, axes=None, box=None, points=None, cmap=None, norm=None, vmin=None,
             vmax=None, colorbar=None, **keywords):
-    """Draws the diagram with Matplotlib, and returns the Axes. What is unbounded is cut off at a box.
+    """Draw the diagram with Matplotlib, clipped to a box.
 
-    In 2D the edges and the sites, with values the regions in colors; in 3D the surface of the bounded regions that are inside the box.
+    In 2D the edges and the sites, with values the regions in colors; in 3D the surfaces of the bounded regions inside the box.
 
-    ax, cmap, norm, vmin, vmax, colorbar : as for `Delaunay.plot`
-    values : (n,) or (regions,) numbers
-        One for each point, or for each region.
-    values_at : "points" or "regions"
-        Which of both, if hidden points or duplicates do not tell; both agree unless there are any.
-    regions : (regions,) bool, or numbers of regions
-        Fills only these.
-    axes : two or three coordinates
-        Draws the points and, between sites with a common ridge, lines, in these coordinates; values are those of the points. Not together
-        with `regions` and `box`.
-    box : (low, high), each (d,)
-        By default ``bounding_box()``.
-    points : bool
-        Whether the sites are dots; by default, if there are at most 1000.
-    keywords : of the collection that is drawn: LineCollection, PolyCollection with values or regions, Poly3DCollection in 3D
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes, optional
+        Where to draw. By default new axes with equal scales, in 3D with ``projection="3d"``.
+    values : (n,) or (regions,) array_like, optional
+        A number for each point, or for each region.
+    values_at : {'points', 'regions'}, optional
+        What the values belong to, if their number does not tell.
+    regions : (regions,) array_like of bool, or array_like of int, optional
+        The regions to fill.
+    axes : sequence of int, optional
+        Draw the points, and lines between sites with a common ridge, in these two or three coordinates; values are those of
+        the points. Excludes `regions` and `box`.
+    box : (low, high), optional
+        The box, two arrays (d,). By default ``bounding_box()``.
+    points : bool, optional
+        Whether to draw the sites as dots. By default if there are at most 1000.
+    cmap : str or matplotlib.colors.Colormap, optional
+        The colors of values.
+    norm : matplotlib.colors.Normalize, optional
+        The scale of values.
+    vmin : float, optional
+        The value of the first color.
+    vmax : float, optional
+        The value of the last color.
+    colorbar : bool or str, optional
+        Whether to draw a color bar beside values, or its label. By default there is one.
+    **keywords : dict
+        Arguments of the LineCollection, PolyCollection (values or regions) or Poly3DCollection that is drawn.
 
-    ValueError in other dimensions than 2 and 3, without `axes`. ImportError without Matplotlib.
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes.
+
+    Raises
+    ------
+    ValueError
+        If the dimension is not 2 or 3 and `axes` is not given, or arguments do not suit each other.
+    ImportError
+        If Matplotlib is missing.
     """
     canvas = Canvas(ax, self, axes, "points and lines between neighbors")
     x, k = self.points, self.affine_dimension
@@ -374,22 +511,46 @@ def diagram(self, ax=None, *, values=None, values_at=None, regions=None, axes=No
 
 def intersection(self, ax=None, *, values=None, values_at=None, axes=None, box=None, cmap=None, norm=None, vmin=None, vmax=None, colorbar=None,
                  **keywords):
-    """Draws the intersection with Matplotlib, and returns the Axes. What is unbounded is cut off at a box.
+    """Draw the intersection with Matplotlib, clipped to a box if it is unbounded.
 
     In 2D the polygon, in 3D the facets.
 
-    ax, cmap, norm, vmin, vmax, colorbar : as for `Delaunay.plot`
-    values : (m,) or (f,) numbers
-        One for each halfspace, or for each facet: the colors of the facets.
-    values_at : "halfspaces" or "facets"
-        Which of both, if all halfspaces are facets; both agree then.
-    axes : two or three coordinates
-        Draws vertices and bounded edges in these coordinates. Not together with `values` and `box`.
-    box : (low, high), each (d,)
-        By default somewhat larger than that of the vertices, if the intersection is unbounded.
-    keywords : of the collection that is drawn: PolyCollection, LineCollection for values in 2D, or Poly3DCollection
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes, optional
+        Where to draw. By default new axes with equal scales, in 3D with ``projection="3d"``.
+    values : (m,) or (f,) array_like, optional
+        A number for each halfspace, or for each facet: the colors of the facets.
+    values_at : {'halfspaces', 'facets'}, optional
+        What the values belong to, if all halfspaces are facets.
+    axes : sequence of int, optional
+        Draw vertices and bounded edges in these two or three coordinates. Excludes `values` and `box`.
+    box : (low, high), optional
+        The box, two arrays (d,). By default somewhat larger than that of the vertices if the intersection is unbounded.
+    cmap : str or matplotlib.colors.Colormap, optional
+        The colors of values.
+    norm : matplotlib.colors.Normalize, optional
+        The scale of values.
+    vmin : float, optional
+        The value of the first color.
+    vmax : float, optional
+        The value of the last color.
+    colorbar : bool or str, optional
+        Whether to draw a color bar beside values, or its label. By default there is one.
+    **keywords : dict
+        Arguments of the PolyCollection, LineCollection (values in 2D) or Poly3DCollection that is drawn.
 
-    ValueError in other dimensions than 2 and 3, without `axes`, and if the intersection is flat or empty. ImportError without Matplotlib.
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes.
+
+    Raises
+    ------
+    ValueError
+        If the dimension is not 2 or 3 and `axes` is not given, or arguments do not suit each other, or if the intersection is flat or empty.
+    ImportError
+        If Matplotlib is missing.
     """
     canvas = Canvas(ax, self, axes, "vertices and edges")
     rows = self.facet_halfspaces

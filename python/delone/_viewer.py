@@ -9,20 +9,47 @@ from ._clipping import checked_box
 from ._data import names, values_of
 from ._frames import require_index
 
-DOC = """One HTML page that shows {what} in a browser and needs nothing else, no network either: it turns, zooms, is cut by a plane, colored,
-and names what is under the pointer. Returned as a str; with `path`, it is written there, whole or not at all.
+DOC = """Show {what} on an HTML page for a browser.
 
-values: numbers to color by, NaN for none, for each of `values_at`: {places}; None: of whichever there are as many. title: the
-headline, and the name of pictures that are saved there. Columns with names keep them. {more}Positions are rounded to 2^24 steps along
-each axis, and the page says by how much. ValueError for values or a place that do not suit, and for another
-extension of `path` than .html or .htm. Cost: linear; about 20 bytes of page for each
-triangle of the plane."""
+    The page needs nothing else, not even a network. It turns, zooms, cuts by a plane, colors, and names what is under the
+    pointer.{more}
+
+    Parameters
+    ----------
+    path : str or os.PathLike, optional
+        The file to write, .html or .htm. By default the page is returned.
+    values : array_like, optional
+        Numbers to color by, one for each of `values_at`; NaN: no color.
+    values_at : {{{places}}}, optional
+        What the values belong to. By default the first that has as many entries.
+    value_name : str, default 'value'
+        The name of the values.
+    title : str, optional
+        The headline, and the name of pictures that are saved from the page.{arguments}
+
+    Returns
+    -------
+    str or None
+        The page, or None if it was written to `path`.
+
+    Raises
+    ------
+    ValueError
+        If values or their place do not suit, or the extension is another one.{errors}
+    Error
+        If the file cannot be written.
+
+    Notes
+    -----
+    The file appears whole or not at all. Columns keep their names. Positions are rounded to 2^24 steps along each axis; the
+    page says by how much. Cost: linear; about 20 bytes of page for each triangle of the plane.
+    """
 
 
-def _method(what, places, more=""):
+def _method(what, places, more="", errors=""):
     def to_html(self, path=None, *, values=None, values_at=None, value_name="value", title=""):
         return _written(path, self._to_html(*_options(self, places, values, values_at, value_name, title)))
-    to_html.__doc__ = DOC.format(what=what, places=", ".join(f'"{place}"' for place in places), more=more)
+    to_html.__doc__ = DOC.format(what=what, places=", ".join(map(repr, places)), more=more, arguments="", errors=errors)
     return to_html
 
 
@@ -47,15 +74,17 @@ def _written(path, page):
 
 
 triangulation = _method("the triangulation", ("points", "cells"),
-                        "Cells have their circumradius and their quality, k times the inradius over the circumradius. ")
+                        " It tells the circumradius and the quality of cells, k times the inradius over the\n    circumradius.")
 convex_hull = _method("the hull", ("points", "facets", "cells"))
-intersection = _method("the intersection", ("halfspaces", "facets"), "Unbounded ones are cut off. InputError for one without interior points. ")
+intersection = _method("the intersection", ("halfspaces", "facets"), " Unbounded intersections are cut off.",
+                       "\n    InputError\n        If there are no interior points.")
 
 
 def diagram(self, path=None, *, values=None, values_at=None, value_name="value", title="", box=None):
     return _written(path, self._to_html(*_options(self, ("points", "regions"), values, values_at, value_name, title), checked_box(box, self.dimension)))
 
 
-diagram.__doc__ = DOC.format(what="the regions", places='"points", "regions"',
-                             more="box: (low, high), where regions are cut off; the bounding box enlarged by a tenth if None. Diagrams of "
-                                  "furthest sites are not shown, nor those of more than three dimensions: Error. ")
+diagram.__doc__ = DOC.format(what="the regions", places="'points', 'regions'", more="",
+                             arguments="\n    box : (low, high), optional\n        Clip regions to this box, two arrays (d,). By default to ``bounding_box()``.",
+                             errors="").replace("If the file cannot be written.", "If the file cannot be written, for more than three dimensions, "
+                                                "or for furthest sites.")

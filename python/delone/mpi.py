@@ -26,9 +26,41 @@ if _mpi.size_of_communicator != MPI._sizeof(MPI.Comm) or _mpi.library_version !=
 
 
 class Effort(NamedTuple):
-    """What this rank did: the tiles that it triangulated, the distinct points of all its tiles, the points of other tiles that it inserted;
-    rounds of questions, pages received, messages and bytes; and times in seconds: reading and distributing points, inserting them, asking
-    for points of other tiles, exchanging pages, waiting for other ranks, writing, and all."""
+    """Work and times of one rank.
+
+    Parameters
+    ----------
+    num_tiles : int
+        Tiles that it triangulated.
+    num_points : int
+        Distinct points of these tiles.
+    num_foreign : int
+        Points of other tiles that it inserted.
+    num_rounds : int
+        Exchanges of pages.
+    num_pages_received : int
+        Pages that it received.
+    num_messages : int
+        Messages that it sent.
+    bytes_sent : int
+        Bytes that it sent.
+    bytes_received : int
+        Bytes that it received.
+    reading : float
+        Seconds of reading and distributing points.
+    inserting : float
+        Seconds of inserting points.
+    asking : float
+        Seconds of searching for points of other tiles.
+    exchanging : float
+        Seconds of exchanging pages.
+    waiting : float
+        Seconds of waiting for other ranks.
+    writing : float
+        Seconds of writing.
+    total : float
+        Seconds of the whole call.
+    """
 
     num_tiles: int
     num_points: int
@@ -49,23 +81,48 @@ class Effort(NamedTuple):
 
 def make_tiles(points, folder, comm=None, *, weights=None, weighted=False, format=None, raw=None, memory=None, tiles=None, threads=1,
                resume=True) -> Tuple[Tiles, Effort]:
-    """As `delone.tiles.make_tiles`, by all ranks of `comm`: each calls it with the same arguments, but its own rows. Returns the folder, and
-    what this rank did for it. The triangulation, its hash and the numbers of rows are those of one process, for any number of ranks.
+    """Triangulate points in tiles by all ranks of a communicator.
 
-    points : an array (n, d), a path, or a list of paths
-        The rows of this rank, which are numbered rank by rank; or files. One file is shared: every rank reads its part. Of several each is
-        read by one rank; a name with %d stands for the files with 0, 1, 2, ... in its place.
-    folder : a path that all ranks see
-    comm : a communicator of mpi4py; MPI.COMM_WORLD, if not given
-    weights : the weights of an array, (n,) floats
-    weighted : of files, whether the last column has weights
-    format, raw : of files, as for `delone.tiles.make_tiles`
-    memory : of one rank, as for `delone.tiles.make_tiles`
-    tiles : the number of all tiles; one per rank, or a multiple of that, if not given
-    threads : of one rank
-    resume : whether to go on with what an earlier call has left, whatever the number of its ranks
+    As `delone.tiles.make_tiles`: each rank calls it with the same arguments, but its own rows. The triangulation, its hash and
+    the numbers of rows are those of one process, for any number of ranks.
 
-    delone.Error and its kinds are raised by all ranks, with the number of the rank that failed first in front.
+    Parameters
+    ----------
+    points : (n, d) array_like, str, os.PathLike, or list of paths
+        The rows of this rank, which are numbered rank by rank; or files. Of one file every rank reads its share. Of several
+        files each is read by one rank; a name with %d stands for the files with 0, 1, 2, ... in its place.
+    folder : str or os.PathLike
+        A folder that all ranks see.
+    comm : mpi4py.MPI.Comm, optional
+        The communicator. By default MPI.COMM_WORLD.
+    weights : (n,) array_like, optional
+        The weights of an array.
+    weighted : bool, default False
+        Whether the last column of files holds weights.
+    format : str, optional
+        The format of files, as for `delone.tiles.make_tiles`.
+    raw : int, optional
+        The numbers in a row of files, as for `delone.tiles.make_tiles`.
+    memory : int or str, optional
+        The most memory of one rank, as for `delone.tiles.make_tiles`.
+    tiles : int, optional
+        The number of all tiles. By default one per rank, or a multiple of that.
+    threads : int, default 1
+        The threads of one rank.
+    resume : bool, default True
+        Continue from what an earlier call has left, whatever the number of its ranks.
+
+    Returns
+    -------
+    tiles : delone.tiles.Tiles
+        The finished folder.
+    effort : Effort
+        What this rank did for it.
+
+    Raises
+    ------
+    delone.Error
+        Raised by all ranks, with the number of the rank that failed first; its kinds as for `delone.tiles.make_tiles`.
     """
     comm = MPI.COMM_WORLD if comm is None else comm
     if threads < 1:

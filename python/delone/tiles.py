@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Triangulations of more points than memory holds: a folder of parts, which together are the triangulation of all points.
 
-`make_tiles` makes such a folder from a file or an array, `Tiles` reads it part by part. The cells, and their canonical hash, are those of
-`delone.Delaunay` or `delone.Regular` of all points at once.
+`make_tiles` makes such a folder from a file or an array, `Tiles` reads it part by part. The cells, and their canonical hash,
+are those of `delone.Delaunay` or `delone.Regular` of all points at once.
 """
 from __future__ import annotations
 
@@ -19,8 +19,27 @@ __all__ = ["Forecast", "Part", "PartIndex", "Report", "Tiles", "make_tiles"]
 
 
 class Forecast(NamedTuple):
-    """What tiles will cost, from a sample of the points: how many points and tiles there are, cells per point, the points of other tiles that
-    a tile inserts divided by its own (above 1 tiles do not pay), and the memory of a tile at its peak, in bytes."""
+    """Predicted cost of tiles, from a sample of the points.
+
+    Parameters
+    ----------
+    num_points : int
+        The number of points.
+    num_tiles : int
+        The number of tiles.
+    cells_per_point : float
+        Cells per point of the sample.
+    foreign_share : float
+        Points of other tiles that a tile inserts, divided by its own. Above 1 tiles do not pay.
+    bytes_per_tile : int
+        The memory of a tile at its peak.
+
+    Examples
+    --------
+    >>> import delone.tiles
+    >>> delone.tiles.Forecast(10**9, 40, 6.7, 0.04, 8 * 10**9).num_tiles
+    40
+    """
 
     num_points: int
     num_tiles: int
@@ -30,8 +49,32 @@ class Forecast(NamedTuple):
 
 
 class PartIndex(NamedTuple):
-    """What the index of a folder says of one part: its file, the global number of its first cell, how many cells, rows of the input and
-    vertices it has, how many points of other tiles its tile had to insert, and in how many rounds."""
+    """Entry of one part in the index of a folder.
+
+    Parameters
+    ----------
+    file : str
+        The name of its file.
+    first_cell : int
+        The number of its first cell in the triangulation.
+    num_cells : int
+        The number of its cells.
+    num_points : int
+        The number of input rows in its tile.
+    num_vertices : int
+        The number of distinct points of its tile that are not hidden.
+    num_foreign : int
+        The number of points of other tiles that its tile inserted.
+    num_rounds : int
+        The number of rounds in which it inserted them.
+
+    Examples
+    --------
+    >>> import delone.tiles, tempfile
+    >>> tiles = delone.tiles.make_tiles(delone.generate("uniform", 1000, 2), tempfile.mkdtemp(), tiles=2)
+    >>> tiles.parts[0].first_cell
+    0
+    """
 
     file: str
     first_cell: int
@@ -43,28 +86,37 @@ class PartIndex(NamedTuple):
 
 
 class Part(NamedTuple):
-    """One part: the cells whose lexicographically smallest vertex is in its tile. v points, m cells, t rows in the tile; the arrays are
-    read-only.
+    """Part of a triangulation: the cells whose lexicographically smallest vertex is in its tile.
 
+    There are v points, m cells, and t rows in the tile. The arrays are read-only.
+
+    Parameters
+    ----------
     number : int
-        Of the part, from 0.
+        The number of the part, from 0.
     first_cell : int
         Cell i of the part is cell ``first_cell + i`` of the triangulation.
-    points : (v, d) float64
+    points : (v, d) ndarray of float64
         The vertices of the cells, those of other tiles included.
-    weights : (v,) float64, or None
+    weights : (v,) ndarray of float64 or None
         Their weights.
-    rows : (v,) int64
-        The row of the input of each; of equal rows the first.
-    cells : (m, k+1) int32
-        Vertices as rows of `points`; positively oriented if k = d. ``rows[cells]`` are rows of the input.
-    neighbors : (m, k+1) int64
-        The cell across the facet opposite each vertex, by its number in the triangulation, be it in this part or in another; -1 beyond
-        the convex hull.
-    own_rows : (t,) int64
-        The rows of the input in the tile, increasing. Every row is in one tile.
-    vertex_of_row : (t,) int64
-        For each of them the row whose vertex it shares: of equal rows the first; -1 for hidden points.
+    rows : (v,) ndarray of int64
+        The input row of each point; of equal rows the first.
+    cells : (m, k+1) ndarray of int32
+        The cells as rows of `points`, positively oriented if k = d; ``rows[cells]`` are input rows.
+    neighbors : (m, k+1) ndarray of int64
+        The cell opposite each vertex, by its number in the triangulation, in this part or another; -1 outside the convex hull.
+    own_rows : (t,) ndarray of int64
+        The input rows in the tile, increasing. Every row is in one tile.
+    vertex_of_row : (t,) ndarray of int64
+        The row of the vertex of each of them: of equal rows the first; -1 for hidden points.
+
+    Examples
+    --------
+    >>> import delone.tiles, tempfile
+    >>> tiles = delone.tiles.make_tiles(delone.generate("grid", 100, 2), tempfile.mkdtemp(), tiles=2)
+    >>> sum(len(part.cells) for part in tiles) == tiles.num_cells
+    True
     """
 
     number: int
@@ -79,11 +131,31 @@ class Part(NamedTuple):
 
 
 class Report(NamedTuple):
-    """What `Tiles.check` has found.
+    """Report of `Tiles.check`; true if there is no violation.
 
-    ok : whether there is no violation. level, name : the highest level that was examined, by its number and name: the one that failed, or
-    the last. violation : the first violation, as text; empty if there is none. cells, points : the cells, by their numbers in the
-    triangulation, and rows of the input that it is about. ties : facets between two cells on one sphere.
+    Parameters
+    ----------
+    ok : bool
+        Whether there is no violation.
+    level : int
+        The highest level examined: the failing one, or the last one requested.
+    name : str
+        The name of that level.
+    violation : str
+        The first violation; empty if there is none.
+    cells : tuple of int
+        The cells that the violation concerns, by their numbers in the triangulation.
+    points : tuple of int
+        The input rows that it concerns.
+    ties : int
+        The number of facets between two cells on one sphere.
+
+    Examples
+    --------
+    >>> import delone.tiles, tempfile
+    >>> tiles = delone.tiles.make_tiles(delone.generate("uniform", 1000, 2), tempfile.mkdtemp(), tiles=2)
+    >>> tiles.check().name
+    'completeness'
     """
 
     ok: bool
@@ -99,12 +171,34 @@ class Report(NamedTuple):
 
 
 class Tiles:
-    """A folder of tiles that is finished: ``Tiles(folder)``. A sequence of its parts, each read from its file on access.
+    """Finished folder of tiles; a sequence of its parts.
 
-    Only the index is kept in memory. `delone.Error` if there is none, or if a file of the folder is damaged.
+    Each part is read from its file on access; only the index is kept in memory.
 
-        for part in Tiles("out"):
-            volume += ...part.points[part.cells]...
+    Parameters
+    ----------
+    folder : str or os.PathLike
+        The folder that `make_tiles` has made.
+
+    Raises
+    ------
+    delone.Error
+        If there is no index, or a file of the folder is damaged.
+
+    See Also
+    --------
+    make_tiles : Make a folder of tiles.
+
+    Examples
+    --------
+    >>> import delone.tiles, tempfile
+    >>> folder = tempfile.mkdtemp()
+    >>> points = delone.generate("uniform", 1000, 3)
+    >>> tiles = delone.tiles.make_tiles(points, folder, tiles=2)
+    >>> delone.tiles.Tiles(folder).hash == delone.Delaunay(points).hash
+    True
+    >>> sum(len(part.cells) for part in tiles) == tiles.num_cells
+    True
     """
 
     __slots__ = ("_folder", "_index", "_parts")
@@ -121,12 +215,12 @@ class Tiles:
 
     @property
     def dimension(self) -> int:
-        """The number of coordinates of a point, d."""
+        """The number d of coordinates of a point."""
         return self._index["dimension"]
 
     @property
     def affine_dimension(self) -> int:
-        """The dimension k of the smallest flat that contains all points: k <= d, 0 for one distinct point, -1 for none."""
+        """The dimension k <= d of the smallest flat that contains all points; 0 for one distinct point, -1 for none."""
         return self._index["affine_dimension"]
 
     @property
@@ -136,7 +230,7 @@ class Tiles:
 
     @property
     def num_points(self) -> int:
-        """The number of rows of the input."""
+        """The number of input rows."""
         return self._index["num_points"]
 
     @property
@@ -151,7 +245,7 @@ class Tiles:
 
     @property
     def num_hidden(self) -> int:
-        """The number of points that are no vertices because of their weights."""
+        """The number of points that are not vertices because of their weights."""
         return self._index["num_hidden"]
 
     @property
@@ -171,7 +265,7 @@ class Tiles:
 
     @property
     def parts(self) -> Tuple[PartIndex, ...]:
-        """What the index says of each part. Nothing is read for it."""
+        """The entries of the index, a tuple of `PartIndex`; reads no file."""
         return self._parts
 
     def __len__(self) -> int:
@@ -189,18 +283,48 @@ class Tiles:
         return (self[i] for i in range(len(self)))
 
     def check(self, level: int = 6, *, points=None, weights=None, canonical: bool = False, threads: int = 0, progress=None) -> Report:
-        """Examines all parts and their seams, exactly: a Report, which is true if there is no violation.
+        """Examine all parts and their seams exactly.
 
-        level : the highest level to examine: 1 storage, 2 incidence, 3 sphere, 4 volume, 5 local convexity, 6 completeness
-        points, weights : (n, d) and (n,) floats
-            The input, which then is compared at level 6. Coordinates of duplicates and hidden points are not in the folder.
-        canonical : whether to require also the choice among ties that delone makes
-        threads, progress : as for `delone.Delaunay`
+        All levels prove that the cells are the Delaunay or regular triangulation of their vertices, and that every row is in one
+        part; with `points` also that the vertices are these points, and duplicates equal to theirs.
 
-        All levels prove that the cells are the Delaunay or regular triangulation of their vertices, and that every row is in one part; with
-        `points` that vertices are these points, and duplicates equal to theirs. Takes memory for three parts, and scratch files in
-        the folder, which has to be writable. A part that cannot be read is a violation of level 1. ValueError for a level below 1, and
-        for points or weights of another shape than those of the input.
+        Parameters
+        ----------
+        level : int, default 6
+            The highest level to examine: 1 storage, 2 incidence, 3 sphere, 4 volume, 5 local convexity, 6 completeness.
+        points : (n, d) array_like, optional
+            The input, to compare with at level 6. The folder does not hold the coordinates of duplicates and hidden points.
+        weights : (n,) array_like, optional
+            The weights of the input.
+        canonical : bool, default False
+            Also require that ties are broken as delone breaks them.
+        threads : int, default 0
+            The most threads to use; 0: one per core if the work is large enough to gain by it.
+        progress : bool or callable, optional
+            As for `delone.Delaunay`.
+
+        Returns
+        -------
+        Report
+            The report; true if there is no violation. A part that cannot be read is a violation of level 1.
+
+        Raises
+        ------
+        ValueError
+            If the level is below 1, or points or weights have another shape than the input.
+        delone.Error
+            If the index cannot be read, or scratch files cannot be written into the folder.
+
+        Notes
+        -----
+        Needs the memory of three parts.
+
+        Examples
+        --------
+        >>> import delone.tiles, tempfile
+        >>> points = delone.generate("uniform", 1000, 2)
+        >>> bool(delone.tiles.make_tiles(points, tempfile.mkdtemp(), tiles=2).check(points=points))
+        True
         """
         if points is None and weights is not None:
             raise ValueError("weights: those of which points?")
@@ -216,34 +340,75 @@ class Tiles:
 
 def make_tiles(points, folder, *, weights=None, columns=None, format=None, raw=None, memory=None, tiles=None, threads=0, resume=True,
                vtu=False, hdf5=False, forecast=None, progress=None) -> Tiles:
-    """Makes the Delaunay triangulation of the points of a file or an array in tiles, and returns the folder as Tiles; with weights the
-    regular triangulation.
+    """Triangulate the points of a file or an array in tiles.
 
-    points : a path, or an array (n, d)
-        Files are read in pieces: .npy, .csv, .tsv, .txt, .xyz, .pts; .off and .ply at once.
-    folder : a path
-        It is created, or has to be empty, or to hold what an earlier call with the same arguments has left.
-    weights : the weights, (n,) floats; of a file the column that has them, by its name or number from 0
-    columns : of a file, the columns with the coordinates, by name or number; all others, if not given
-    format : of a file, if not told by its extension
-    raw : int
-        The file holds nothing but little-endian float64, so many per row, the weight included.
-    memory : int, or text as "2G" or "500MB"
-        The most memory to use, in bytes, the program and its arrays included; K, M, G and T are powers of 1024, as are KiB, …; KB, … powers
-        of 1000. Three quarters of what is free, if not given.
-    tiles : int
-        The number of tiles; as few as the memory allows, if not given. Neither it nor the threads change the triangulation.
-    threads : at most this many; 0: as many as there are cores, where they gain
-    resume : whether to go on with what an earlier call has left in the folder. Otherwise its tiles are removed first.
-    vtu, hdf5 : whether to write tiles.pvtu and a .vtu per part, for ParaView (d <= 3), and tiles.h5
-    forecast : a function that is called once, before the first tile, with a Forecast; it stops the work as a progress function does
-    progress : as for `delone.Delaunay`
+    Makes the Delaunay triangulation, or with weights the regular one, as a folder of parts.
 
-    Ctrl-C, a full disk, or the end of the process lose the tile in work, no finished one: the same call goes on. Points of other tiles
-    that a tile needs are inserted in both, a few percent in 2D and 3D. In high dimensions and for points on a surface they are many, and
-    tiles cost several times as much (docs/tiles.md). delone.Error with the reason of the system if a file cannot be read or
-    written; InputError for values that are not finite, and for a folder with anything else in it; OutOfMemoryError if so many
-    `tiles` take more than `memory`.
+    Parameters
+    ----------
+    points : str, os.PathLike or (n, d) array_like
+        The points. Files .npy, .csv, .tsv, .txt, .xyz and .pts are read in pieces, .off and .ply at once.
+    folder : str or os.PathLike
+        The folder. It is created, or must be empty, or hold the unfinished work of an earlier call with the same arguments.
+    weights : (n,) array_like, str or int, optional
+        The weights; for a file the name or number (from 0) of their column.
+    columns : sequence of str or int, optional
+        The columns of a file with the coordinates, by name or number. By default all others.
+    format : str, optional
+        The format of a file. By default its extension tells it.
+    raw : int, optional
+        The file consists of little-endian float64, this many in a row, the weight included.
+    memory : int or str, optional
+        The most memory to use, in bytes or as "2G" or "500MB", the program and its arrays included. K, M, G, T and KiB, ... are
+        powers of 1024; KB, ... are powers of 1000. By default three quarters of what is free.
+    tiles : int, optional
+        The number of tiles. By default as few as the memory allows. It does not change the triangulation.
+    threads : int, default 0
+        The most threads to use; 0: one per core if the work is large enough to gain by it.
+    resume : bool, default True
+        Continue from what an earlier call has left in the folder. Otherwise its tiles are removed first.
+    vtu : bool, default False
+        Also write tiles.pvtu and a .vtu for each part, for ParaView (d <= 3).
+    hdf5 : bool, default False
+        Also write tiles.h5.
+    forecast : callable, optional
+        Called once with a `Forecast`, before the first tile; returning a false value other than None cancels the call.
+    progress : bool or callable, optional
+        As for `delone.Delaunay`.
+
+    Returns
+    -------
+    Tiles
+        The finished folder.
+
+    Raises
+    ------
+    delone.Error
+        If a file cannot be read or written; the message gives the reason of the system.
+    delone.InputError
+        If values are not finite, or the folder holds anything else.
+    delone.OutOfMemoryError
+        If this many `tiles` need more than `memory`.
+    delone.CancelledError
+        If a function cancels the call.
+
+    See Also
+    --------
+    Tiles : Read the folder.
+
+    Notes
+    -----
+    After Ctrl-C, a full disk, or the end of the process only the tile in work is lost: the same call continues. Tiles also
+    insert the points of other tiles that they need, a few percent in 2D and 3D. In high dimensions and for points on a surface
+    these are many, and tiles cost several times as much as one triangulation (docs/tiles.md).
+
+    Examples
+    --------
+    >>> import delone.tiles, tempfile
+    >>> points = delone.generate("uniform", 1000, 3)
+    >>> tiles = delone.tiles.make_tiles(points, tempfile.mkdtemp(), tiles=3)
+    >>> len(tiles), tiles.num_points
+    (3, 1000)
     """
     if forecast is not None and not callable(forecast):
         raise TypeError("forecast: a function of a Forecast, or None")

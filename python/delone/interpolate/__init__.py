@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The names and arguments of `scipy.interpolate` for scattered data, on exact triangulations, and natural neighbors.
+"""Exact counterparts of `scipy.interpolate` for scattered data, and natural neighbor interpolation.
 
-Where results differ from scipy's is the subject of docs/from-scipy.md. `delone.LinearInterpolator` has more: other policies outside
-of the hull, gradients, weighted points.
+Names and arguments are those of scipy. docs/from-scipy.md says where results differ. `delone.LinearInterpolator` has more:
+other policies outside the hull, gradients, weighted points.
 """
 from ._base import GradientEstimationWarning
 from ._clough_tocher import CloughTocher2DInterpolator

@@ -13,7 +13,13 @@ TOLERANCE = 100 * np.finfo(float).eps
 
 
 class GradientEstimationWarning(Warning):
-    """The gradients of a CloughTocher2DInterpolator did not converge."""
+    """The gradients of a CloughTocher2DInterpolator did not converge.
+
+    Parameters
+    ----------
+    *args : object
+        The message.
+    """
 
     def __init__(self, *args):  # for inspect.signature()
         super().__init__(*args)
@@ -97,7 +103,10 @@ class OnTriangulation(Interpolator):
 
     @property
     def values(self) -> np.ndarray:
-        """(n, c) the values, those of one point in a row. May be assigned: the triangulation is kept."""
+        """The values, (npoints, c): those of one point in a row.
+
+        May be assigned: the triangulation is kept.
+        """
         return self._values
 
     @values.setter
@@ -123,12 +132,27 @@ class OnTriangulation(Interpolator):
         return np.full(self._values.shape[1], self.fill_value, dtype=self._values.dtype).view(np.float64)
 
     def __call__(self, *args, simplex_tolerance=1.0):
-        """The values at queries: an array (…, d), or d arrays that broadcast against each other. The shape is theirs, followed by that
-        of one value.
+        """Evaluate the interpolant at queries.
 
-        simplex_tolerance : float > 0
-            Queries with barycentric coordinates in [−t, 1+t] of a simplex, t = 100 ε times this, count as inside it, and those within
-            Qhull's round-off times this.
+        Parameters
+        ----------
+        *args : (..., ndim) array_like, or ndim array_like
+            The queries: one array, or ndim arrays of coordinates that broadcast against each other.
+        simplex_tolerance : float, default 1.0
+            Factor of the tolerances, > 0. Queries with barycentric coordinates in [-t, 1+t] of a simplex, t = 100 eps times this,
+            count as inside it, and so do queries within Qhull's round-off times this.
+
+        Returns
+        -------
+        ndarray
+            The values: the shape of the queries, followed by that of one value.
+
+        Raises
+        ------
+        RuntimeError
+            If points were added to the triangulation since.
+        ValueError
+            If queries have another number of coordinates.
         """
         if not simplex_tolerance > 0:
             raise ValueError("simplex_tolerance must be positive")

@@ -12,32 +12,57 @@ from ._base import GradientEstimationWarning, OnTriangulation
 
 
 class CloughTocher2DInterpolator(OnTriangulation):
-    """Smooth interpolation in the plane, with the arguments of `scipy.interpolate`: cubic on the thirds of every triangle, with
-    continuous gradients, and least curvature along the edges.
+    """Smooth interpolation in the plane, with the interface of `scipy.interpolate.CloughTocher2DInterpolator`.
+
+    Cubic on the thirds of every triangle, with continuous gradients, and least curvature along the edges.
 
     Parameters
     ----------
-    points : (npoints, 2) floats, a tuple of 2 arrays (npoints,), or a triangulation
-        Where the values are; of equal points the first value counts. A `delone.spatial.Delaunay` or a `delone.Delaunay` is used as it
-        is. Flat points are a QhullError.
-    values : (npoints, ...) real or complex
-    fill_value : number
+    points : (npoints, 2) array_like, tuple of (npoints,) array_like, or triangulation
+        Where the values are; of equal points the first value counts. A `delone.spatial.Delaunay` or a `delone.Delaunay` is used
+        as it is.
+    values : (npoints, ...) array_like
+        The values, real or complex.
+    fill_value : number, default nan
         The value outside the convex hull.
-    tol, maxiter : float, int
-        The gradients at the points are relaxed until none changes by more than tol, relative to those above 1, at most maxiter times;
-        then a GradientEstimationWarning. The order of the points matters within this tolerance.
-    rescale : bool
+    tol : float, default 1e-6
+        The gradients at the points are relaxed until none changes by more than this, relative to those above 1.
+    maxiter : int, default 400
+        The most rounds of relaxation; after that a GradientEstimationWarning.
+    rescale : bool, default False
         Interpolate with points scaled to a unit square. Not with a triangulation.
 
     Attributes
     ----------
-    tri : the triangulation
-    points, values, fill_value : the (scaled) points, and (npoints, c) values, which may be assigned
-    grad : (npoints, c, 2) the gradients at the points; 0 at points that repeat earlier ones
+    tri : Delaunay
+        The triangulation.
+    points : (npoints, ndim) ndarray of float64
+        The (scaled) points.
+    fill_value : number
+        The value outside the convex hull.
+    grad : (npoints, c, 2) ndarray
+        The gradients at the points; 0 at points that repeat earlier ones.
 
+    Raises
+    ------
+    ValueError
+        If the numbers of values and points differ, or `rescale` is given with a triangulation.
+    delone.spatial.QhullError
+        If the points are flat or infinite.
+
+    Notes
+    -----
     Method: P. Alfeld, doi:10.1016/0167-8396(84)90029-3; G. Farin, doi:10.1016/0167-8396(86)90016-6; gradients by G. M. Nielson,
-    doi:10.1090/S0025-5718-1983-0679444-7, and R. J. Renka and A. K. Cline, doi:10.1216/RMJ-1984-14-1-223; in the variant of scipy.
-    Cost: that of `delone.Delaunay`, O(npoints) per round of relaxation and value, and a walk per query.
+    doi:10.1090/S0025-5718-1983-0679444-7, and R. J. Renka and A. K. Cline, doi:10.1216/RMJ-1984-14-1-223; in the variant of
+    scipy. Cost: that of `delone.Delaunay`, O(npoints) per round of relaxation and value, and a walk per query. The order of the
+    points matters within `tol`.
+
+    Examples
+    --------
+    >>> from delone.interpolate import CloughTocher2DInterpolator
+    >>> f = CloughTocher2DInterpolator([[0, 0], [1, 0], [0, 1], [1, 1]], [0, 1, 1, 2])
+    >>> float(f(0.25, 0.5).round(4))
+    0.75
     """
 
     def __init__(self, points, values, fill_value=np.nan, tol=1e-6, maxiter=400, rescale=False):

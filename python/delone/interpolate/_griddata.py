@@ -13,18 +13,45 @@ from ._nearest import NearestNDInterpolator
 
 
 def griddata(points, values, xi, method="linear", fill_value=np.nan, rescale=False, simplex_tolerance=1.0):
-    """Interpolates scattered values once, with the arguments of `scipy.interpolate.griddata`.
+    """Interpolate scattered values once, with the interface of `scipy.interpolate.griddata`.
 
-    points : (npoints, ndim) floats, or a tuple of ndim arrays (npoints,)
-    values : (npoints, ...) real or complex
-    xi : (…, ndim) queries, or a tuple of ndim arrays that broadcast against each other
-    method : "nearest", "linear", or, in the plane, "cubic"; see `NearestNDInterpolator`, `LinearNDInterpolator` and
-        `CloughTocher2DInterpolator`. In one dimension scipy's interp1d is called, with an ImportError where scipy is missing.
-    fill_value : the value outside the convex hull; without effect for "nearest"
-    rescale : interpolate with points scaled to a unit cube
-    simplex_tolerance : see `LinearNDInterpolator.__call__`
+    Parameters
+    ----------
+    points : (npoints, ndim) array_like, or tuple of (npoints,) array_like
+        Where the values are.
+    values : (npoints, ...) array_like
+        The values, real or complex.
+    xi : (..., ndim) array_like, or tuple of array_like
+        The queries: one array, or ndim arrays of coordinates that broadcast against each other.
+    method : {'nearest', 'linear', 'cubic'}
+        `NearestNDInterpolator`, `LinearNDInterpolator`, or in the plane `CloughTocher2DInterpolator`. In one dimension scipy's
+        interp1d.
+    fill_value : number, default nan
+        The value outside the convex hull; without effect for 'nearest'.
+    rescale : bool, default False
+        Interpolate with points scaled to a unit cube.
+    simplex_tolerance : float, default 1.0
+        Factor of the tolerances, see `LinearNDInterpolator`.
 
-    ValueError for other methods; QhullError for flat points.
+    Returns
+    -------
+    ndarray
+        The values: the shape of the queries, followed by that of one value.
+
+    Raises
+    ------
+    ValueError
+        If there is no such method for this dimension.
+    delone.spatial.QhullError
+        If the points are flat.
+    ImportError
+        If scipy is needed (one dimension) and missing.
+
+    Examples
+    --------
+    >>> from delone.interpolate import griddata
+    >>> griddata([[0, 0], [1, 0], [0, 1]], [0, 1, 2], [[0.25, 0.25], [2, 2]])
+    array([0.75,  nan])
     """
     if not simplex_tolerance > 0:
         raise ValueError("simplex_tolerance must be positive")

@@ -10,25 +10,50 @@ from ._base import OnTriangulation
 
 
 class LinearNDInterpolator(OnTriangulation):
-    """Interpolation that is linear in every simplex, in two or more dimensions, with the arguments of `scipy.interpolate`.
+    """Interpolation that is linear in every simplex, with the interface of `scipy.interpolate.LinearNDInterpolator`.
 
     Parameters
     ----------
-    points : (npoints, ndim) floats, a tuple of ndim arrays (npoints,), or a triangulation
-        Where the values are; of equal points the first value counts. A `delone.spatial.Delaunay` or a `delone.Delaunay` is used as it
-        is. Flat points are a QhullError, a flat triangulation interpolates within its flat.
-    values : (npoints, ...) real or complex
-    fill_value : number
+    points : (npoints, ndim) array_like, tuple of (npoints,) array_like, or triangulation
+        Where the values are; of equal points the first value counts. A `delone.spatial.Delaunay` or a `delone.Delaunay` is used
+        as it is. A flat triangulation interpolates within its flat.
+    values : (npoints, ...) array_like
+        The values, real or complex.
+    fill_value : number, default nan
         The value outside the convex hull.
-    rescale : bool
+    rescale : bool, default False
         Interpolate with points scaled to a unit cube. Not with a triangulation.
 
     Attributes
     ----------
-    tri : the triangulation
-    points, values, fill_value : the (scaled) points, and (npoints, c) values, which may be assigned
+    tri : Delaunay
+        The triangulation.
+    points : (npoints, ndim) ndarray of float64
+        The (scaled) points.
+    fill_value : number
+        The value outside the convex hull.
 
+    Raises
+    ------
+    ValueError
+        If the numbers of values and points differ, or `rescale` is given with a triangulation.
+    delone.spatial.QhullError
+        If the points are flat or infinite.
+
+    See Also
+    --------
+    delone.LinearInterpolator : The interface of delone, with gradients and other policies outside.
+
+    Notes
+    -----
     Cost: that of `delone.Delaunay`, and a walk per query.
+
+    Examples
+    --------
+    >>> from delone.interpolate import LinearNDInterpolator
+    >>> f = LinearNDInterpolator([[0, 0], [1, 0], [0, 1]], [0, 1, 2])
+    >>> f([[0.25, 0.25], [2, 2]])
+    array([0.75,  nan])
     """
 
     def __init__(self, points, values, fill_value=np.nan, rescale=False):

@@ -10,27 +10,48 @@ from ._base import OnTriangulation
 
 
 class NaturalNeighborInterpolator(OnTriangulation):
-    """Natural neighbor interpolation (Sibson) in two or more dimensions, with the arguments of `LinearNDInterpolator`.
+    """Natural neighbor interpolation (Sibson), with the arguments of `LinearNDInterpolator`.
 
     Parameters
     ----------
-    points : (npoints, ndim) floats, a tuple of ndim arrays (npoints,), or a triangulation
-        Where the values are; of equal points the first value counts. A `delone.spatial.Delaunay` or a `delone.Delaunay` is used as it
-        is. Flat points are a QhullError, a flat triangulation interpolates within its flat.
-    values : (npoints, ...) real or complex
-    fill_value : number
+    points : (npoints, ndim) array_like, tuple of (npoints,) array_like, or triangulation
+        Where the values are; of equal points the first value counts. A `delone.spatial.Delaunay` or a `delone.Delaunay` is used
+        as it is. A flat triangulation interpolates within its flat.
+    values : (npoints, ...) array_like
+        The values, real or complex.
+    fill_value : number, default nan
         The value outside the convex hull.
-    rescale : bool
-        Interpolate with points scaled to a unit cube, which changes who is a neighbor. Not with a triangulation.
-    smooth : bool
-        Differentiable at the points, too, with estimated gradients; otherwise differentiable elsewhere.
+    rescale : bool, default False
+        Interpolate with points scaled to a unit cube, which changes the neighbors. Not with a triangulation.
+    smooth : bool, default False
+        Whether the interpolant is differentiable at the points, too, with estimated gradients.
 
     Attributes
     ----------
-    tri : the triangulation
-    points, values, fill_value : the (scaled) points, and (npoints, c) values, which may be assigned
+    tri : Delaunay
+        The triangulation.
+    points : (npoints, ndim) ndarray of float64
+        The (scaled) points.
+    fill_value : number
+        The value outside the convex hull.
 
-    Method and cost: see `delone.NaturalNeighborInterpolator`.
+    Raises
+    ------
+    ValueError
+        If the numbers of values and points differ, or `rescale` is given with a triangulation.
+    delone.spatial.QhullError
+        If the points are flat or infinite.
+
+    See Also
+    --------
+    delone.NaturalNeighborInterpolator : The interface of delone; method and cost.
+
+    Examples
+    --------
+    >>> from delone.interpolate import NaturalNeighborInterpolator
+    >>> f = NaturalNeighborInterpolator([[0, 0], [1, 0], [0, 1], [1, 1]], [0, 1, 2, 3])
+    >>> float(f(0.25, 0.5).round(12))
+    1.25
     """
 
     def __init__(self, points, values, fill_value=np.nan, rescale=False, *, smooth=False):
@@ -58,8 +79,29 @@ class NaturalNeighborInterpolator(OnTriangulation):
         return result
 
     def gradient(self, *args) -> np.ndarray:
-        """The gradients at queries, given as for a call: their shape, followed by that of one value and (ndim,). NaN outside; see
-        `delone.NaturalNeighborInterpolator.gradient`."""
+        """Compute the gradients at queries.
+
+        Parameters
+        ----------
+        *args : (..., ndim) array_like, or ndim array_like
+            The queries: one array, or ndim arrays of coordinates that broadcast against each other.
+
+        Returns
+        -------
+        ndarray
+            The gradients: the shape of the queries, that of one value, and (ndim,). NaN outside.
+
+        Raises
+        ------
+        RuntimeError
+            If points were added to the triangulation since.
+        ValueError
+            If queries have another number of coordinates.
+
+        See Also
+        --------
+        delone.NaturalNeighborInterpolator.gradient : What the gradient is at points and on the boundary.
+        """
         self._require_unchanged()
         queries, shape = self._queries(args)
         finite = np.isfinite(queries).all(axis=1)

@@ -13,20 +13,42 @@ _LARGEST_TRIANGULATED = 4
 
 
 class NearestNDInterpolator(Interpolator):
-    """The value at the nearest point, in two or more dimensions, with the arguments of `scipy.interpolate`.
+    """Value at the nearest point, with the interface of `scipy.interpolate.NearestNDInterpolator`.
 
     Parameters
     ----------
-    x : (npoints, ndim) floats, a tuple of ndim arrays (npoints,), or a triangulation
+    x : (npoints, ndim) array_like, tuple of (npoints,) array_like, or triangulation
         Where the values are. A `delone.spatial.Delaunay` or a `delone.Delaunay` is used as it is.
-    y : (npoints, ...) values of any type
-    rescale : bool
+    y : (npoints, ...) array_like
+        The values, of any type.
+    rescale : bool, default False
         Measure distances with points scaled to a unit cube. Not with a triangulation.
     tree_options : dict, optional
-        scipy's options of its tree: without effect, but boxsize, a ValueError.
+        Options of scipy's tree; without effect.
 
-    Which point is nearest is exact in up to 4 dimensions, or with a triangulation; of several, the first one counts. Cost: that of
+    Attributes
+    ----------
+    points : (npoints, ndim) ndarray of float64
+        The (scaled) points.
+    values : (npoints, ...) ndarray
+        The values.
+
+    Raises
+    ------
+    ValueError
+        If the numbers of values and points differ, points are not finite, or `tree_options` has a boxsize.
+
+    Notes
+    -----
+    The nearest point is exact in up to 4 dimensions, or with a triangulation; of several, the first one counts. Cost: that of
     `delone.Delaunay`, and a walk per query; in more than 4 dimensions O(npoints) per query.
+
+    Examples
+    --------
+    >>> from delone.interpolate import NearestNDInterpolator
+    >>> f = NearestNDInterpolator([[0, 0], [1, 0], [0, 1]], [5, 6, 7])
+    >>> f([[0.9, 0.2], [-3, 8]])
+    array([6, 7])
     """
 
     def __init__(self, x, y, rescale=False, tree_options=None):
@@ -44,13 +66,30 @@ class NearestNDInterpolator(Interpolator):
             raise ValueError("points are not finite")
 
     def __call__(self, *args, eps=0, p=2, distance_upper_bound=np.inf, workers=1):
-        """The values at queries: an array (…, d), or d arrays that broadcast against each other. The shape is theirs, followed by that
-        of one value.
+        """Evaluate the interpolant at queries.
 
-        distance_upper_bound : float
-            The value is NaN where no point is nearer.
-        eps, workers : without effect
-        p : 2; other norms are a ValueError
+        Parameters
+        ----------
+        *args : (..., ndim) array_like, or ndim array_like
+            The queries: one array, or ndim arrays of coordinates that broadcast against each other.
+        eps : float, default 0
+            Without effect.
+        p : float, default 2
+            The norm; only 2 is supported.
+        distance_upper_bound : float, default inf
+            The value is NaN if no point is nearer than this.
+        workers : int, default 1
+            Without effect.
+
+        Returns
+        -------
+        ndarray
+            The values: the shape of the queries, followed by that of one value.
+
+        Raises
+        ------
+        ValueError
+            If queries are not finite or have another number of coordinates, or `p` is not 2.
         """
         if p != 2:
             raise ValueError("p: nearest points are those in the Euclidean norm, 2")

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The names, arguments and attributes of `scipy.spatial` for triangulations, hulls, Voronoi diagrams and intersections of halfspaces,
-computed exactly: change the import of a program, and it runs. Where results differ (flat, duplicate, cospherical points;
-tolerances) is the subject of docs/from-scipy.md.
+"""Exact counterparts of `scipy.spatial`: triangulations, hulls, Voronoi diagrams and intersections of halfspaces.
 
-All other names of `scipy.spatial`, as KDTree, distance and SphericalVoronoi, are scipy's own, imported when first used;
-ImportError where scipy is not installed. `delone.patch_scipy` makes programs use delone without changing them.
+Names, arguments and attributes are those of scipy: change the import of a program, and it runs. docs/from-scipy.md says
+where results differ (flat, duplicate, cospherical points; tolerances).
+
+All other names of `scipy.spatial`, such as KDTree, distance and SphericalVoronoi, are scipy's own, imported on first use;
+ImportError if scipy is not installed. `delone.patch_scipy` makes programs use delone without changing them.
 """
 import importlib
 import importlib.util

@@ -14,10 +14,14 @@ from ._geometry import bounds
 
 
 class QhullError(RuntimeError):
-    """The input has no result as in scipy: it spans a flat of less than the space's dimension, is infinite, or an interior point is not
-    inside.
+    """The input has no result in scipy: it is flat or infinite, or an interior point is not inside.
 
-    Where scipy.spatial is loaded, what is raised is also an instance of its QhullError: either name catches it.
+    If scipy.spatial is loaded, the error is also an instance of its QhullError: either name catches it.
+
+    Parameters
+    ----------
+    *args : object
+        The message.
     """
 
     def __init__(self, *args):  # for inspect.signature()
@@ -160,7 +164,7 @@ class Incremental:
         raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
 
     def close(self) -> None:
-        """Ends adding points. All results stay."""
+        """End adding rows; all results stay."""
         self._incremental = False
 
     def _take_over(self, **results) -> None:
@@ -196,14 +200,28 @@ class OfPoints(Incremental):
 
     @property
     def points(self) -> np.ndarray:
-        """The points, (npoints, ndim)."""
+        """The points, (npoints, ndim) float64."""
         return self._points
 
     def add_points(self, points, restart: bool = False) -> None:
-        """Adds points, (n, ndim), as the next rows. Needs ``incremental=True`` in the constructor.
+        """Add points as the next rows.
 
-        All arrays are new afterwards, and simplices are numbered anew. ``restart`` builds from scratch instead; the result is the
-        same up to numbering. Raises RuntimeError if adding was not enabled, or after close(); ValueError for rows of another
-        size or NaN, QhullError for infinities; both leave everything as it was.
+        Needs ``incremental=True`` in the constructor. Afterwards all arrays are new, and simplices have other numbers.
+
+        Parameters
+        ----------
+        points : (n, ndim) array_like
+            The points.
+        restart : bool, default False
+            Build from scratch instead. The result is the same up to numbering.
+
+        Raises
+        ------
+        RuntimeError
+            If adding was not enabled, or after `close`.
+        ValueError
+            If rows have another size or contain NaN; nothing is changed.
+        QhullError
+            If a coordinate is infinite; nothing is changed.
         """
         self._add_rows(points, restart)

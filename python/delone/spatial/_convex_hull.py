@@ -14,49 +14,71 @@ from ._base import OfPoints, as_points, qhull_error
 
 
 class ConvexHull(OfPoints):
-    """Convex hull in any dimension, with the arguments and attributes of `scipy.spatial.ConvexHull`.
+    """Convex hull in any dimension, with the interface of `scipy.spatial.ConvexHull`.
 
     Parameters
     ----------
-    points : (npoints, ndim) finite floats
-        The points. Duplicates are merged.
-    incremental : bool
+    points : (npoints, ndim) array_like
+        The points, finite numbers. Duplicates are merged.
+    incremental : bool, default False
         Allow `add_points`.
     qhull_options : str, optional
-        Qhull's options, see docs/from-qhull.md; ValueError for one that has no meaning here.
-    tolerance : float, keyword only
-        The hull is the exact one of a subset of the points; all others are at most this far outside, see `delone.ConvexHull`. By
-        default Qhull's round-off, about 1e-14 of the extent, see docs/from-scipy.md; that of the first points, if others are added
-        without ``restart``. 0 is exact. ValueError if it is negative, not finite, or larger than the extent. (Not in scipy.)
-    flat : "error" or "result", keyword only
-        Flat input, points that span less than the space: QhullError as in scipy, or the hull within its flat; so are points in one
-        dimension, else a ValueError. Default "error", with option QJ "result". (Not in scipy.)
+        Qhull's options, see docs/from-qhull.md.
+    tolerance : float, optional
+        The hull is the exact hull of a subset of the points; all others are at most this far outside, see `delone.ConvexHull`.
+        0 is exact. By default Qhull's round-off, about 1e-14 of the extent, see docs/from-scipy.md; that of the first points if
+        others are added without `restart`. Not in scipy.
+    flat : {'error', 'result'}, optional
+        For flat input, points that span less than the space: raise QhullError as in scipy, or compute the hull within the flat. With 'result' points in one
+        dimension are allowed, too. Default 'error', with option QJ 'result'. Not in scipy.
 
     Attributes
     ----------
-    points, ndim, npoints, min_bound, max_bound
-        The points, d, their number, and their bounding box.
-    vertices : (nvertices,) int32
-        The extreme points, exactly: counterclockwise in the plane, increasing otherwise.
-    simplices : (nsimplex, ndim) int32
-        Rows of points, the simplices of the boundary, increasing from 3 dimensions on; counterclockwise in the plane. Their
-        vertices are extreme points, whatever else lies on the boundary. For flat input of affine dimension k, k columns.
-    neighbors : (nsimplex, ndim) int32
-        The simplex opposite each vertex.
+    points : (npoints, ndim) ndarray of float64
+        The points.
+    ndim : int
+        The number of coordinates.
+    npoints : int
+        The number of points.
+    min_bound : (ndim,) ndarray of float64
+        The lower corner of the bounding box.
+    max_bound : (ndim,) ndarray of float64
+        The upper corner of the bounding box.
     affine_dimension : int
-        k, of the smallest flat that contains all points (not in scipy).
-    volume, area : float
-        The ndim-dimensional volume and the (ndim−1)-dimensional volume of the boundary; in the plane, area and perimeter. Of
-        flat input the volume is 0, and the area twice that of the flat hull if k = ndim−1, else 0: the limits.
-    coplanar : (ncoplanar, 3) int32
-        With option Qc: the points of the boundary, or within the tolerance of it, that are not extreme, and the duplicates of vertices,
-        each with a simplex and the nearest of its vertices.
-    good : (nsimplex,) bool or None
-        With option QGn: whether each simplex is strictly visible from point n, which is left out of the hull.
+        The dimension k of the smallest flat that contains all points. Not in scipy.
+    simplices : (nsimplex, ndim) ndarray of int32
+        The simplices of the boundary, as rows of points: counterclockwise in the plane, increasing from 3 dimensions on. Their
+        vertices are extreme points, whatever else lies on the boundary. For flat input k columns.
+    nsimplex : int
+        The number of simplices.
+    neighbors : (nsimplex, ndim) ndarray of int32
+        The simplex opposite each vertex.
     tolerance : float
-        The one that was given or computed (not in scipy).
+        The tolerance, given or computed. Not in scipy.
 
-    Results cannot be assigned; an array is the caller's to change, and changes nothing else.
+    Raises
+    ------
+    QhullError
+        If the input is flat and `flat` is 'error', or a coordinate is infinite.
+    ValueError
+        If a coordinate is NaN, an option has no meaning here, or an argument is out of range.
+
+    See Also
+    --------
+    delone.ConvexHull : The interface of delone, with more answers.
+
+    Notes
+    -----
+    Results cannot be assigned; arrays are the caller's to change, and changes affect nothing else.
+
+    Examples
+    --------
+    >>> from delone.spatial import ConvexHull
+    >>> hull = ConvexHull([[0, 0], [2, 0], [2, 2], [0, 2], [1, 1]])
+    >>> hull.vertices
+    array([0, 1, 2, 3], dtype=int32)
+    >>> hull.volume, hull.area
+    (4.0, 8.0)
     """
 
     _derived = ("simplices", "neighbors", "nsimplex", "affine_dimension", "volume", "area", "_shown", "vertices", "equations", "coplanar",
@@ -124,10 +146,15 @@ class ConvexHull(OfPoints):
 
     @cached_property
     def volume(self) -> float:
+        """The ndim-dimensional volume; the area in the plane. 0 for flat input."""
         return float(self._core.volume) if self.affine_dimension == self.ndim else 0.0
 
     @cached_property
     def area(self) -> float:
+        """The (ndim-1)-dimensional volume of the boundary; the perimeter in the plane.
+
+        For flat input its limit: twice the volume of the flat hull if k = ndim-1, else 0.
+        """
         if self.affine_dimension == self.ndim:
             return float(self._core.area)
         return 2.0 * float(self._core.volume) if self.affine_dimension == self.ndim - 1 else 0.0
@@ -138,6 +165,7 @@ class ConvexHull(OfPoints):
 
     @cached_property
     def vertices(self) -> np.ndarray:
+        """The extreme points, exactly, (nvertices,) int32: counterclockwise in the plane, increasing otherwise."""
         if self.ndim == 2 and self.affine_dimension == 2:
             following = dict(self._listed()[0].tolist())
             around = [min(following)]
@@ -148,14 +176,21 @@ class ConvexHull(OfPoints):
 
     @cached_property
     def equations(self) -> np.ndarray:
-        """(nsimplex, ndim+1): unit outward normal n and offset b of the hyperplane of each simplex, n·x + b ≤ 0 inside up to rounding;
-        the same row for all simplices of one facet. Raises QhullError for flat input."""
+        """Unit outward normal n and offset b of the hyperplane of each simplex, (nsimplex, ndim+1) float64.
+
+        n . x + b <= 0 inside up to rounding. Equal rows for all simplices of one facet. Raises QhullError for flat input.
+        """
         if self.affine_dimension < self.ndim:
             raise qhull_error(f"equations: the points span a flat of dimension {self.affine_dimension} in {self.ndim} dimensions")
         return self._shown.equations[self._shown.facet_of_cell]
 
     @cached_property
     def coplanar(self) -> np.ndarray:
+        """Points near the boundary that are not extreme, (ncoplanar, 3) int32.
+
+        Only with option Qc, otherwise empty: the points on the boundary or within the tolerance of it, and duplicates of vertices;
+        each with a simplex and the nearest of its vertices.
+        """
         if not self._options.keep_coplanar or self.affine_dimension < 1:
             return np.empty((0, 3), np.intc)
         kinds = self._core.point_kinds[self._core.vertex_of_point]
@@ -182,6 +217,10 @@ class ConvexHull(OfPoints):
 
     @cached_property
     def good(self):
+        """Whether each simplex is strictly visible from point n, (nsimplex,) bool.
+
+        Only with option QGn, which leaves point n out of the hull; otherwise None.
+        """
         if self._options.good_row is None:
             return None
         seen = self._shown.visible_facets(self._points[self._options.good_row])

@@ -41,41 +41,71 @@ class _Search:
 
 
 class Delaunay(OfPoints):
-    """Delaunay triangulation in any dimension, with the arguments and attributes of `scipy.spatial.Delaunay`.
+    """Delaunay triangulation in any dimension, with the interface of `scipy.spatial.Delaunay`.
+
+    Exact: a function of the set of points, with ties broken consistently; see docs/degeneracy.md.
 
     Parameters
     ----------
-    points : (npoints, ndim) finite floats
-        The points. Duplicates are merged.
-    furthest_site : bool
-        Triangulate for the furthest-site Voronoi diagram instead: the upper hull of the lifted points.
-    incremental : bool
+    points : (npoints, ndim) array_like
+        The points, finite numbers. Duplicates are merged.
+    furthest_site : bool, default False
+        Compute the dual of the furthest-site Voronoi diagram: the upper hull of the lifted points.
+    incremental : bool, default False
         Allow `add_points`.
     qhull_options : str, optional
-        Qhull's options, see docs/from-qhull.md; ValueError for one that has no meaning here. Default "Qbb Qc Qz".
-    flat : "error" or "result", keyword only
-        Flat input, points that span less than the space: QhullError as in scipy, or triangulated within its flat; so are points in
-        one dimension, else a ValueError. Default "error", with option QJ "result". (Not in scipy.)
+        Qhull's options, see docs/from-qhull.md. Default "Qbb Qc Qz".
+    flat : {'error', 'result'}, optional
+        For flat input, points that span less than the space: raise QhullError as in scipy, or triangulate within the flat. With 'result' points in one
+        dimension are allowed, too. Default 'error', with option QJ 'result'. Not in scipy.
 
     Attributes
     ----------
-    points, ndim, npoints, min_bound, max_bound
-        The points, d, their number, and their bounding box.
-    simplices : (nsimplex, ndim+1) int32
-        Rows of points: counterclockwise in the plane, increasing otherwise. For flat input of affine dimension k, k+1 columns.
-    neighbors : (nsimplex, ndim+1) int32
-        The simplex opposite each vertex; −1 on the boundary.
+    points : (npoints, ndim) ndarray of float64
+        The points.
+    ndim : int
+        The number of coordinates.
+    npoints : int
+        The number of points.
+    min_bound : (ndim,) ndarray of float64
+        The lower corner of the bounding box.
+    max_bound : (ndim,) ndarray of float64
+        The upper corner of the bounding box.
     affine_dimension : int
-        k, of the smallest flat that contains all points (not in scipy).
-    coplanar : (ncoplanar, 3) int32
-        Duplicate rows: the row, a simplex and the vertex at the same place. Empty if the options leave out Qc.
-    good : (nsimplex,) int32
-        Ones.
+        The dimension k of the smallest flat that contains all points. Not in scipy.
+    simplices : (nsimplex, ndim+1) ndarray of int32
+        Rows of points: counterclockwise in the plane, increasing otherwise. For flat input k+1 columns.
+    nsimplex : int
+        The number of simplices.
+    neighbors : (nsimplex, ndim+1) ndarray of int32
+        The simplex opposite each vertex; -1 on the boundary.
     furthest_site : bool
+        Whether it is a furthest-site triangulation.
 
-    Results cannot be assigned; an array is the caller's to change, and changes nothing else.
-    The cells are a function of the set of points, with exact signs and ties broken consistently; see docs/degeneracy.md.
-    Cost: that of `delone.Delaunay`; attributes below are computed on first use.
+    Raises
+    ------
+    QhullError
+        If the input is flat and `flat` is 'error', or a coordinate is infinite.
+    ValueError
+        If a coordinate is NaN, an option has no meaning here, or an argument is out of range.
+
+    See Also
+    --------
+    delone.Delaunay : The interface of delone, with more answers.
+
+    Notes
+    -----
+    Results cannot be assigned; arrays are the caller's to change, and changes affect nothing else.
+    Cost: that of `delone.Delaunay`. The properties are computed on first use.
+
+    Examples
+    --------
+    >>> from delone.spatial import Delaunay
+    >>> tri = Delaunay([[0, 0], [1, 0], [0, 1], [1, 1]])
+    >>> len(tri.simplices)
+    2
+    >>> tri.find_simplex([[0.1, 0.2], [2, 2]]) >= 0
+    array([ True, False])
     """
 
     _derived = ("simplices", "neighbors", "nsimplex", "affine_dimension", "convex_hull", "coplanar", "good", "_paraboloid",
@@ -119,10 +149,15 @@ class Delaunay(OfPoints):
 
     @cached_property
     def good(self) -> np.ndarray:
+        """Ones, (nsimplex,) int32."""
         return np.ones(self.nsimplex, np.intc)
 
     @cached_property
     def coplanar(self) -> np.ndarray:
+        """Duplicate rows, (ncoplanar, 3) int32: the row, a simplex, and the vertex at the same place.
+
+        Empty if the options leave out Qc.
+        """
         duplicates = self._core.duplicates
         if not self._options.keep_coplanar:
             duplicates = duplicates[:0]
@@ -140,14 +175,16 @@ class Delaunay(OfPoints):
 
     @property
     def paraboloid_shift(self) -> float:
-        """What is added to the last coordinate of lifted points."""
+        """The number added to the last coordinate of lifted points."""
         return self._paraboloid[1]
 
     @cached_property
     def transform(self) -> np.ndarray:
-        """(nsimplex, ndim+1, ndim): barycentric coordinates c of x in simplex i but the last are
-        ``transform[i, :ndim] @ (x - transform[i, ndim])``. NaN for simplices so thin that less than three digits would be right.
-        Raises QhullError for flat input."""
+        """Affine maps to barycentric coordinates, (nsimplex, ndim+1, ndim) float64.
+
+        All but the last barycentric coordinate of x in simplex i are ``transform[i, :ndim] @ (x - transform[i, ndim])``. NaN for
+        simplices so thin that fewer than three digits would be right. Raises QhullError for flat input.
+        """
         self._need_full_dimension("transform")
         transform, condition = _core._transforms(self._core.points, self._own[0])
         with np.errstate(invalid="ignore"):
@@ -156,14 +193,16 @@ class Delaunay(OfPoints):
 
     @cached_property
     def equations(self) -> np.ndarray:
-        """(nsimplex, ndim+2): unit normal, downward (upward for furthest sites), and offset of the hyperplane of each simplex on
-        the paraboloid. Raises QhullError for flat input."""
+        """Hyperplanes of the simplices on the paraboloid, (nsimplex, ndim+2) float64.
+
+        Unit normal, downward (upward for furthest sites), and offset. Raises QhullError for flat input.
+        """
         self._need_full_dimension("equations")
         return _geometry.hyperplanes(self._core.points, self._core.cells, *self._paraboloid, upper=self._options.furthest)
 
     @cached_property
     def vertex_to_simplex(self) -> np.ndarray:
-        """(npoints,) int32: a simplex of which each point, or the earlier one it equals, is a vertex; −1 if there is none."""
+        """A simplex with each point, or the earlier one it equals, as a vertex, (npoints,) int32; -1 if there is none."""
         found = np.array(self._core.cell_of_point)
         if not self._options.keep_coplanar:
             found[self._core.duplicates[:, 0]] = -1
@@ -171,30 +210,62 @@ class Delaunay(OfPoints):
 
     @cached_property
     def vertex_neighbor_vertices(self) -> tuple[np.ndarray, np.ndarray]:
-        """(indptr, indices) int32: the points joined to point p by an edge are ``indices[indptr[p]:indptr[p+1]]``, increasing."""
+        """Neighbors of each point, (indptr, indices) int32.
+
+        The points joined to point p by an edge are ``indices[indptr[p]:indptr[p+1]]``, increasing.
+        """
         indptr, indices = self._core.vertex_neighbors
         return np.array(indptr, np.intc), np.array(indices)
 
     @property
     def convex_hull(self) -> np.ndarray:
-        """(nfaces, ndim) int32: the facets of simplices without a neighbor. Each has a simplex: points within hull facets count."""
+        """Facets of simplices without a neighbor, (nfaces, ndim) int32.
+
+        Every facet of a simplex counts, so points within hull facets appear.
+        """
         return _geometry.boundary_facets(*self._listed())
 
     @property
     def vertices(self) -> np.ndarray:
-        """Old name of `simplices`."""
+        """Old name of `simplices`; deprecated."""
         warnings.warn("Delaunay attribute 'vertices' is deprecated in favour of 'simplices'", DeprecationWarning, stacklevel=2)
         return self.simplices
 
     def find_simplex(self, xi, bruteforce=False, tol=None):
-        """The simplex that contains each point: (…) int32 for xi of shape (…, ndim); −1 outside, and for NaN.
+        """Find the simplex that contains each point.
 
-        Exact for points in a simplex with a finite `transform`: no point inside is missed; of a point on a face of several
-        simplices one of them is told. Otherwise, outside or in a simplex so thin that its transform is NaN, a point gets a simplex
-        with a finite transform that accepts it, if there is one: with barycentric coordinates in [−tol, 1+tol], but from −√tol on
-        across facets to simplices whose transform is NaN. This is scipy's rule, so that all points that scipy finds are found. If
-        none accepts it, a point in a thin simplex gets that one. ``tol``: ≥ 0, 100 ε ≈ 2.2e-14 unless given. ``bruteforce`` makes
-        no difference. Cost: a walk per point; for points outside and in thin simplices a search around it.
+        Parameters
+        ----------
+        xi : (..., ndim) array_like
+            The points.
+        bruteforce : bool, default False
+            Without effect.
+        tol : float, optional
+            The tolerance of barycentric coordinates, >= 0. Default 100 eps, about 2.2e-14.
+
+        Returns
+        -------
+        (...) ndarray of int32
+            The simplices; -1 outside, and for NaN.
+
+        Raises
+        ------
+        ValueError
+            If points have another number of coordinates, or `tol` is negative or not finite.
+
+        Notes
+        -----
+        Exact for points in a simplex with a finite `transform`: no point inside is missed, and a point on a face of several
+        simplices gets one of them. Otherwise, outside or in a simplex so thin that its transform is NaN, a point gets a simplex with
+        a finite transform that accepts it, if any: its barycentric coordinates are in [-tol, 1+tol], or from -sqrt(tol) on across
+        facets to simplices whose transform is NaN. This is scipy's rule, so every point that scipy finds is found. If none accepts
+        it, a point in a thin simplex gets that one. Cost: a walk per point; for points outside and in thin simplices a search.
+
+        Examples
+        --------
+        >>> from delone.spatial import Delaunay
+        >>> Delaunay([[0, 0], [1, 0], [0, 1]]).find_simplex([[0.2, 0.2], [1, 1]])
+        array([ 0, -1], dtype=int32)
         """
         if type(xi) is not np.ndarray or xi.dtype != np.float64:
             xi = np.asanyarray(xi)
@@ -251,17 +322,65 @@ class Delaunay(OfPoints):
         return found
 
     def plane_distance(self, xi):
-        """(…, nsimplex): the signed distances of the lifted xi, (…, ndim), from the hyperplanes of all simplices."""
+        """Compute the signed distances of lifted points from the hyperplanes of all simplices.
+
+        Parameters
+        ----------
+        xi : (..., ndim) array_like
+            The points.
+
+        Returns
+        -------
+        (..., nsimplex) ndarray of float64
+            The distances.
+
+        Raises
+        ------
+        ValueError
+            If points have another number of coordinates.
+        QhullError
+            If the triangulated points are flat.
+        """
         xi = np.asarray(xi, dtype=np.float64)
         if xi.shape[-1] != self.ndim:
             raise ValueError("xi has different dimensionality than triangulation")
         return self.lift_points(xi) @ self.equations[:, :-1].T + self.equations[:, -1]
 
     def lift_points(self, x):
-        """(…, ndim+1): points, (…, ndim), with the height of their lifted images on the (scaled) paraboloid."""
+        """Lift points to the paraboloid.
+
+        Parameters
+        ----------
+        x : (..., ndim) array_like
+            The points.
+
+        Returns
+        -------
+        (..., ndim+1) ndarray of float64
+            The points, with their (scaled) height as the last coordinate.
+        """
         return _geometry.lift(np.asarray(x, dtype=np.float64), *self._paraboloid)
 
 
 def tsearch(tri, xi):
-    """The simplex of the triangulation ``tri`` that contains each point of ``xi``: ``tri.find_simplex(xi)``."""
+    """Find the simplex that contains each point.
+
+    Parameters
+    ----------
+    tri : Delaunay
+        The triangulation.
+    xi : (..., ndim) array_like
+        The points.
+
+    Returns
+    -------
+    (...) ndarray of int32
+        ``tri.find_simplex(xi)``.
+
+    Examples
+    --------
+    >>> from delone.spatial import Delaunay, tsearch
+    >>> tsearch(Delaunay([[0, 0], [1, 0], [0, 1]]), [[0.2, 0.2]])
+    array([0], dtype=int32)
+    """
     return tri.find_simplex(xi)

@@ -14,43 +14,58 @@ from ._base import Incremental, as_points, qhull_error
 
 
 class HalfspaceIntersection(Incremental):
-    """Intersection of halfspaces in any dimension, with the arguments and attributes of `scipy.spatial.HalfspaceIntersection`.
+    """Intersection of halfspaces in any dimension, with the interface of `scipy.spatial.HalfspaceIntersection`.
 
     Parameters
     ----------
-    halfspaces : (nineq, ndim+1) finite floats
-        Rows [A; b] of the inequalities A x + b ≤ 0.
-    interior_point : (ndim,) finite floats
-        A point strictly inside all halfspaces, exactly: QhullError if it is not. (`delone.HalfspaceIntersection` finds one.)
-    incremental : bool
+    halfspaces : (nineq, ndim+1) array_like
+        Rows [A; b] of the inequalities A x + b <= 0, finite numbers.
+    interior_point : (ndim,) array_like
+        A point strictly inside all halfspaces; `delone.HalfspaceIntersection` finds one.
+    incremental : bool, default False
         Allow `add_halfspaces`.
     qhull_options : str, optional
-        Qhull's options, see docs/from-qhull.md; ValueError for one that has no meaning here.
-    flat : "error" or "result", keyword only
-        Halfspaces whose dual points are flat, since there are too few, all contain one line, or all touch at one point: QhullError
-        as in scipy, or a result. Default "error", with option QJ "result". (Not in scipy.)
+        Qhull's options, see docs/from-qhull.md.
+    flat : {'error', 'result'}, optional
+        For halfspaces with flat dual points, which are too few, contain a common line, or all touch at one point: raise
+        QhullError as in scipy, or return a result. Default 'error', with option QJ 'result'. Not in scipy.
 
     Attributes
     ----------
-    halfspaces, interior_point, ndim, nineq
-        What was given, and its size.
-    intersections : (ninter, ndim) float64
-        The vertices of the intersection, each coordinate the double nearest to the exact one. Where more than ndim hyperplanes
-        meet in a point, it is listed once. Of an unbounded intersection the finite vertices.
+    interior_point : (ndim,) ndarray of float64
+        The interior point.
+    ndim : int
+        The number of coordinates.
+    nineq : int
+        The number of halfspaces.
+    intersections : (ninter, ndim) ndarray of float64
+        The finite vertices of the intersection, each coordinate the double nearest to the exact one. A vertex of more than ndim
+        hyperplanes is listed once.
     is_bounded : bool
-        Whether the intersection is a polytope (not in scipy 1.10).
-    dual_points : (nineq, ndim) float64
-        The dual point of each halfspace, −A / (A·interior_point + b).
-    dual_facets : list of lists of int
-        For each intersection the halfspaces whose facets meet in it, increasing.
-    dual_vertices : (nvertices,) int64
-        The halfspaces that are not redundant, increasing.
-    dual_equations : (ninter, ndim+1) float64
-        For each intersection the unit normal and offset of the dual facet.
-    dual_area, dual_volume : float
-        Surface area and volume of the hull of the dual points.
+        Whether the intersection is a polytope. Not in scipy 1.10.
 
-    Results cannot be assigned; an array is the caller's to change, and changes nothing else.
+    Raises
+    ------
+    QhullError
+        If the interior point is not strictly inside, exactly, or the dual points are flat and `flat` is 'error'.
+    ValueError
+        If arrays have wrong shapes or contain NaN, or an option has no meaning here.
+
+    See Also
+    --------
+    delone.HalfspaceIntersection : The interface of delone, with more answers.
+
+    Notes
+    -----
+    Results cannot be assigned; arrays are the caller's to change, and changes affect nothing else.
+
+    Examples
+    --------
+    >>> from delone.spatial import HalfspaceIntersection
+    >>> square = [[-1, 0, 0], [0, -1, 0], [1, 0, -1], [0, 1, -1]]
+    >>> hs = HalfspaceIntersection(square, [0.5, 0.5])
+    >>> sorted(hs.intersections.tolist())
+    [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]]
     """
 
     _read_only = Incremental._read_only | {"halfspaces", "interior_point", "nineq", "is_bounded"}
@@ -68,12 +83,30 @@ class HalfspaceIntersection(Incremental):
 
     @property
     def halfspaces(self) -> np.ndarray:
-        """The halfspaces, (nineq, ndim+1)."""
+        """The halfspaces, (nineq, ndim+1) float64."""
         return self._points
 
     def add_halfspaces(self, halfspaces, restart: bool = False) -> None:
-        """Adds halfspaces, (n, ndim+1) or one of (ndim+1,), as the next rows; see `Delaunay.add_points`. QhullError if the interior
-        point is not strictly inside them."""
+        """Add halfspaces as the next rows.
+
+        Needs ``incremental=True`` in the constructor. Afterwards all arrays are new.
+
+        Parameters
+        ----------
+        halfspaces : (n, ndim+1) or (ndim+1,) array_like
+            The halfspaces.
+        restart : bool, default False
+            Build from scratch instead. The result is the same up to numbering.
+
+        Raises
+        ------
+        RuntimeError
+            If adding was not enabled, or after `close`.
+        ValueError
+            If rows have another size or contain NaN; nothing is changed.
+        QhullError
+            If the interior point is not strictly inside them; nothing is changed.
+        """
         halfspaces = np.asarray(halfspaces)
         if halfspaces.ndim > 2:
             raise ValueError("`halfspaces` should be provided as a 2D array")
@@ -107,26 +140,32 @@ class HalfspaceIntersection(Incremental):
 
     @cached_property
     def dual_points(self) -> np.ndarray:
+        """The dual point of each halfspace, -A / (A . interior_point + b), (nineq, ndim) float64."""
         return np.array(self._core.dual_points)
 
     @cached_property
     def dual_equations(self) -> np.ndarray:
+        """The unit normal and offset of the dual facet of each intersection, (ninter, ndim+1) float64."""
         return np.array(self._core.dual_equations)
 
     @cached_property
     def dual_facets(self) -> list[list[int]]:
+        """The halfspaces whose facets meet in each intersection, increasing, a list of lists of int."""
         return _core._lists(self._core.vertex_halfspaces, self._core.vertex_offsets)
 
     @cached_property
     def dual_vertices(self) -> np.ndarray:
+        """The halfspaces that are not redundant, increasing, (nvertices,) int64."""
         return np.array(self._core.facet_halfspaces, np.int64)
 
     @cached_property
     def dual_area(self) -> float:
+        """The surface area of the hull of the dual points."""
         return float(self._core.dual_area)
 
     @cached_property
     def dual_volume(self) -> float:
+        """The volume of the hull of the dual points."""
         return float(self._core.dual_volume)
 
 

@@ -22,10 +22,26 @@ def _axes(ax, points, what):
 
 
 def delaunay_plot_2d(tri, ax=None):
-    """Draws a triangulation of the plane: the points, and the edges of the triangles. Returns the figure.
+    """Draw the points and edges of a triangulation of the plane.
 
-    ``tri``: a `Delaunay` with ``ndim == 2``; ``ax``: Matplotlib axes to draw on, those of a new figure if None.
-    Raises ValueError in other dimensions.
+    Parameters
+    ----------
+    tri : Delaunay
+        The triangulation.
+    ax : matplotlib.axes.Axes, optional
+        The axes to draw on. By default those of a new figure.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
+
+    Raises
+    ------
+    ValueError
+        If the points are not in the plane.
+    ImportError
+        If Matplotlib is missing.
     """
     ax = _axes(ax, tri.points, "Delaunay triangulation")
     x, y = tri.points.T
@@ -38,9 +54,26 @@ def delaunay_plot_2d(tri, ax=None):
 
 
 def convex_hull_plot_2d(hull, ax=None):
-    """Draws a convex hull in the plane: the points, and the boundary. Returns the figure.
+    """Draw the points and the boundary of a convex hull in the plane.
 
-    ``hull``: a `ConvexHull` with ``ndim == 2``; ``ax``: as in `delaunay_plot_2d`. Raises ValueError in other dimensions.
+    Parameters
+    ----------
+    hull : ConvexHull
+        The hull.
+    ax : matplotlib.axes.Axes, optional
+        The axes to draw on. By default those of a new figure.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
+
+    Raises
+    ------
+    ValueError
+        If the points are not in the plane.
+    ImportError
+        If Matplotlib is missing.
     """
     from matplotlib.collections import LineCollection
     ax = _axes(ax, hull.points, "Convex hull")
@@ -52,11 +85,40 @@ def convex_hull_plot_2d(hull, ax=None):
 
 def voronoi_plot_2d(vor, ax=None, *, show_points=True, show_vertices=True, line_colors="k", line_width=1.0, line_alpha=1.0,
                     point_size=None):
-    """Draws a Voronoi diagram of the plane: points, vertices, and the ridges, unbounded ones dashed. Returns the figure.
+    """Draw the points, vertices and ridges of a Voronoi diagram of the plane.
 
-    ``vor``: a `Voronoi` with ``ndim == 2``; ``ax``: as in `delaunay_plot_2d`; ``show_points``, ``show_vertices``: whether to draw
-    them; ``line_colors``, ``line_width``, ``line_alpha``: of the ridges; ``point_size``: of the points. Raises ValueError in other
-    dimensions.
+    Unbounded ridges are dashed.
+
+    Parameters
+    ----------
+    vor : Voronoi
+        The diagram.
+    ax : matplotlib.axes.Axes, optional
+        The axes to draw on. By default those of a new figure.
+    show_points : bool, default True
+        Whether to draw the points.
+    show_vertices : bool, default True
+        Whether to draw the vertices.
+    line_colors : color, default 'k'
+        The color of the ridges.
+    line_width : float, default 1.0
+        The width of the ridges.
+    line_alpha : float, default 1.0
+        The opacity of the ridges.
+    point_size : float, optional
+        The size of the points.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
+
+    Raises
+    ------
+    ValueError
+        If the points are not in the plane.
+    ImportError
+        If Matplotlib is missing.
     """
     from matplotlib.collections import LineCollection
     points = vor.points

@@ -14,51 +14,75 @@ from ._base import OfPoints, as_points
 
 
 class Voronoi(OfPoints):
-    """Voronoi diagram in any dimension, with the arguments and attributes of `scipy.spatial.Voronoi`.
+    """Voronoi diagram in any dimension, with the interface of `scipy.spatial.Voronoi`.
 
     Parameters
     ----------
-    points : (npoints, ndim) finite floats
-        The points. Duplicates share a region.
-    furthest_site : bool
-        The diagram of the furthest instead of the nearest points.
-    incremental : bool
+    points : (npoints, ndim) array_like
+        The points, finite numbers. Duplicates share a region.
+    furthest_site : bool, default False
+        Compute the diagram of the furthest instead of the nearest points.
+    incremental : bool, default False
         Allow `add_points`.
     qhull_options : str, optional
-        Qhull's options, see docs/from-qhull.md; ValueError for one that has no meaning here. Default "Qbb Qc Qz".
-    tolerance : float, keyword only
-        Vertices within this distance of one that stands for them are one, and ridges of less width are left out, see
-        `delone.Voronoi`. By default Qhull's round-off, about 1e-14 of the extent, see docs/from-scipy.md; 0 is exact.
-        ValueError if it is negative, not finite, or larger than the extent. (Not in scipy.)
-    flat : "error" or "result", keyword only
-        Flat input, points that span less than the space: QhullError as in scipy, or a diagram within its flat; so are points in one
-        dimension, else a ValueError. Default "error", with option QJ "result". (Not in scipy.)
+        Qhull's options, see docs/from-qhull.md. Default "Qbb Qc Qz".
+    tolerance : float, optional
+        Vertices within this distance of a representative are merged with it, and ridges of less width are left out, see
+        `delone.Voronoi`. 0 is exact. By default Qhull's round-off, about 1e-14 of the extent, see docs/from-scipy.md. Not in
+        scipy.
+    flat : {'error', 'result'}, optional
+        For flat input, points that span less than the space: raise QhullError as in scipy, or compute the diagram within the flat. With 'result' points in one
+        dimension are allowed, too. Default 'error', with option QJ 'result'. Not in scipy.
 
     Attributes
     ----------
-    points, ndim, npoints, min_bound, max_bound
-        The points, d, their number, and their bounding box.
-    vertices : (nvertices, ndim) float64
-        The distinct Voronoi vertices, each coordinate the double nearest to the exact one.
+    points : (npoints, ndim) ndarray of float64
+        The points.
+    ndim : int
+        The number of coordinates.
+    npoints : int
+        The number of points.
+    min_bound : (ndim,) ndarray of float64
+        The lower corner of the bounding box.
+    max_bound : (ndim,) ndarray of float64
+        The upper corner of the bounding box.
     affine_dimension : int
-        k, of the smallest flat that contains all points (not in scipy).
-    ridge_points : (nridges, 2) int32
+        The dimension k of the smallest flat that contains all points. Not in scipy.
+    vertices : (nvertices, ndim) ndarray of float64
+        The distinct Voronoi vertices, each coordinate the double nearest to the exact one.
+    ridge_points : (nridges, 2) ndarray of int32
         The points on both sides of each ridge. As in scipy, ridges with fewer than k vertices, infinity counted as one, are left
         out; `delone.Voronoi` has them all.
-    ridge_vertices : list of lists of int
-        The vertices of each ridge, −1 first if it is unbounded; in cyclic order in 3 dimensions.
-    regions : list of lists of int
-        The vertices of each region, −1 first if it is unbounded; in cyclic order in the plane. With option Qz, which the default
-        has, the last one is empty, as in scipy. So are those of points that are not the furthest anywhere.
-    point_region : (npoints,) int64
-        The region of each point. Duplicates have −1 if the options leave out Qc.
-    ridge_dict : dict
-        The vertices of the ridge between two points.
+    point_region : (npoints,) ndarray of int64
+        The region of each point. -1 for duplicates if the options leave out Qc.
     furthest_site : bool
+        Whether it is a furthest-site diagram.
     tolerance : float
-        The one that was given or computed (not in scipy).
+        The tolerance, given or computed. Not in scipy.
 
-    Results cannot be assigned; an array is the caller's to change, and changes nothing else.
+    Raises
+    ------
+    QhullError
+        If the input is flat and `flat` is 'error', or a coordinate is infinite.
+    ValueError
+        If a coordinate is NaN, an option has no meaning here, or an argument is out of range.
+
+    See Also
+    --------
+    delone.Voronoi : The interface of delone, with more answers.
+
+    Notes
+    -----
+    Results cannot be assigned; arrays are the caller's to change, and changes affect nothing else.
+
+    Examples
+    --------
+    >>> from delone.spatial import Voronoi
+    >>> vor = Voronoi([[0, 0], [2, 0], [0, 2], [2, 2]])
+    >>> vor.vertices
+    array([[1., 1.]])
+    >>> vor.regions[vor.point_region[0]]
+    [-1, 0]
     """
 
     _derived = ("vertices", "ridge_points", "ridge_vertices", "regions", "point_region", "ridge_dict", "affine_dimension", "tolerance",
@@ -100,15 +124,25 @@ class Voronoi(OfPoints):
 
     @cached_property
     def ridge_vertices(self) -> list[list[int]]:
+        """The vertices of each ridge, a list of lists of int.
+
+        -1 comes first if the ridge is unbounded. In cyclic order in 3 dimensions.
+        """
         ridges = _core._lists(*self._ridges)
         return [ridges[i] for i in self._listed_ridges.tolist()]
 
     @cached_property
     def regions(self) -> list[list[int]]:
+        """The vertices of each region, a list of lists of int.
+
+        -1 comes first if the region is unbounded. In cyclic order in the plane. With option Qz, a default, the last one is empty, as
+        in scipy. So are those of points that are not the furthest anywhere.
+        """
         regions = _core._lists(*self._regions)
         regions = [[] if region == [-1] else region for region in regions] + [[] for _ in range(self._num_hidden)]
         return regions + [[]] if self._options.at_infinity else regions
 
     @cached_property
     def ridge_dict(self) -> dict[tuple[int, int], list[int]]:
+        """The vertices of the ridge between two points, a dict."""
         return dict(zip(map(tuple, self.ridge_points.tolist()), self.ridge_vertices))
