@@ -10,6 +10,7 @@ import time
 
 import matplotlib
 import numpy as np
+from PIL import Image
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
@@ -259,7 +260,7 @@ def edit_window(path):
         axes[0].plot(days[here], nearest[here], "o", color=color, ms=4, label=name)
     axes[0].set(yscale="log", ylabel="distance from the\nnearest event, km")
     axes[0].legend(loc="upper right", ncol=3, fontsize=9)
-    for times, label, color in [(anew, "triangulated anew", SOFT), (by_editing, "edited", INK)]:
+    for times, label, color in [(anew, "triangulated again", SOFT), (by_editing, "edited", INK)]:
         axes[1].plot(days, 1000 * times, ".", color=color, ms=2, label=f"{label}: {1000 * np.nanmean(times):.2f} ms per event")
     axes[1].set(yscale="log", ylabel="milliseconds", xlabel="day", xlim=(0, days[-1]), ylim=(0.004, 20))
     axes[1].legend(loc="lower right", ncol=2, markerscale=4, fontsize=9)
@@ -271,6 +272,10 @@ def save(figure, path, tight=True):
         figure.tight_layout()
     figure.savefig(path, dpi=80, metadata={"Software": None})
     plt.close(figure)
+    # 256 colors look the same and take a third of the bytes.
+    with Image.open(path) as picture:
+        few = picture.convert("RGB").quantize(256, dither=Image.Dither.NONE)
+    few.save(path, optimize=True)
 
 
 def main():

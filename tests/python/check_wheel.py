@@ -26,7 +26,7 @@ sys.path.insert(0, str(ROOT / "tools"))
 import platform_tag  # noqa: E402
 
 LARGEST_WHEEL = 12 * 10**6  # bytes
-NOT_IN_SDIST = (".ci/*", ".gitignore", "*/.gitignore", ".git*", "MANIFEST.in", "benchmarks/history/*.json")
+NOT_IN_SDIST = (".ci/*", ".gitignore", "*/.gitignore", ".git*", "MANIFEST.in", "benchmarks/history/*.json", "benchmarks/history/*.csv")
 PLATFORM = {"libz.so.1", "libc.so.6", "libm.so.6", "libdl.so.2", "librt.so.1", "libpthread.so.0", "libgcc_s.so.1", "libstdc++.so.6"}
 
 USE = """
