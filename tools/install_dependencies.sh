@@ -8,8 +8,8 @@ set -euo pipefail
 build=(g++ cmake ninja-build libcli11-dev libfmt-dev nlohmann-json3-dev libfast-float-dev libboost-dev libhwy-dev libtbb-dev zlib1g-dev)
 python=(python3 python3-dev python3-numpy pybind11-dev python3-pybind11 python3-pip python3-setuptools python3-wheel python3-venv)
 test=(libgtest-dev libgmock-dev librapidcheck-dev libqhull-dev libcdd-dev lrslib libcgal-dev libeigen3-dev libgmp-dev
-      libmpfr-dev python3-scipy python3-pytest python3-hypothesis python3-matplotlib python3-pandas python3-tqdm python3-meshio qhull-bin
-      python3-yaml python3-jinja2 pkgconf groff man-db zsh fish)
+      libmpfr-dev python3-scipy python3-pytest python3-hypothesis python3-matplotlib python3-pandas python3-tqdm python3-meshio python3-numpydoc
+      qhull-bin python3-yaml python3-jinja2 pkgconf groff man-db zsh fish)
 nightly=(python3-skimage python3-libpysal python3-ase python3-pymatgen python3-xarray python3-vtk9 python3-gudhi)
 bench=(python3 python3-scipy libbenchmark-dev)
 paper=(python3 python3-numpy python3-scipy python3-matplotlib libqhull-dev libtet1.5-dev libcdd-dev lrslib libcgal-dev libeigen3-dev

@@ -2,6 +2,7 @@
 // delone.ConvexHull.
 #include "arrays.hpp"
 #include "data_members.hpp"
+#include "docs_convex_hull.hpp"
 #include "docstring.hpp"
 #include "html.hpp"
 #include "module.hpp"
@@ -278,148 +279,82 @@ auto asking(Question question) {
   return [question](const HeldHull& held) { return held.ask(question); };
 }
 
-constexpr const char* hull_doc = R"(
-ConvexHull(points, *, tolerance=0.0, seed=0, order='automatic', threads=0, progress=None, memory_limit=None,
-           time_limit=None)
-
-The convex hull of points, (n, d) numbers that are exact in float64, in any dimension d >= 1.
-
-Exact: a function of the set of points. Duplicates are merged, and flat points have the hull in their flat, of
-affine dimension k <= d. A *cell* is a simplex of the boundary with k vertices; a *facet* is one of the polytope
-and consists of one cell, or of several in one hyperplane. Index arrays are int32, and read-only as all arrays.
-Arguments and errors as in Delaunay; methods release the GIL.
-
-tolerance, a distance >= 0 with the unit of the coordinates: if positive, the exact hull of some of the points, so few
-that none can be left out, such that no point is farther than this outside of it; `max_distance` bounds how far. It is
-convex and closed, its vertices are rows of the input, and distances are decided exactly. The farthest points are taken
-first. A facet consists of cells whose vertices are within the tolerance of the plane of its largest cell, which is that
-of `equations`. Points near a flat of fewer dimensions have the hull of their projections on `axes` in it.
-ValueError if it is negative, NaN, infinite, or larger than the set along every axis.
-
-Cost: O(n) cells for evenly spread points,
-at worst O(n^(d/2)). Source: incremental insertion with perturbed ties, doi:10.1016/j.comgeo.2010.09.010.)";
-
-constexpr const char* of_extreme_points_doc = R"(
-The hull of the extreme ones of points, (n, d), alone: (hull, rows), where row i of the hull is points[rows[i]]. The
-hull may have other rows, too, in no particular order, but all vertices of its cells are extreme. Where many points lie
-in the hyperplanes of facets there are far fewer cells than in the hull of all points. Arguments, errors and exactness
-as in the constructor. A copy by pickling may number cells otherwise.)";
-
-constexpr const char* insert_range_doc = R"(
-Adds points, (n, d), as the next rows: all of them, or none if it raises. Arrays taken before stay as they are.
-Errors as in the constructor; ValueError for another number of columns. Cost: that of the new points, unless one
-raises the affine dimension: then the hull is built anew.)";
-
-constexpr const char* locate_doc = R"(
-Where each query (..., d) lies, exactly: a delone.Locations, one entry for each query. Kinds: inside, on_boundary,
-outside, outside_affine_hull. `cell`: from outside a cell that is visible; on the boundary one whose hyperplane
-contains the query; inside one that a ray from an interior point through the query leaves by; else -1. `face`: on
-the boundary the extreme rows of the smallest face that contains the query. InputError for NaN or infinity. Cost: a
-walk over cells for each query.)";
-
-constexpr const char* neighbors_doc = R"(
-(m, k) cells: neighbor j is across the ridge opposite vertex j of the cell. All are >= 0: a boundary has no end.)";
-
-constexpr const char* ridges_doc = R"(
-(facets (r, 2), offsets (r+1,), rows): the two facets that meet in ridge i, the smaller number first, and its
-extreme rows, rows[offsets[i]:offsets[i+1]], increasing.)";
-
-constexpr const char* equations_doc = R"(
-(f, d+1) float64: the unit outward normal and the offset of each facet, with the unit of the coordinates;
-normal . x + offset <= 0 inside, up to equation_errors. For k < d normals are parallel to the flat.)";
-
-constexpr const char* equation_errors_doc = R"(
-(f,) float64: the largest difference between the exact signed distance of a point of the hull from the facet and
-that of the rounded equation, evaluated without error; infinite when k < d.)";
-
-constexpr const char* plane_distance_doc = R"(
-(..., f) float64: the signed distances of queries (..., d) from the hyperplanes of the facets, positive outside.
-Rounded; where a sign must be exact take locate() or visible_facets(). Cost:
-O(f d) for each query.)";
-
-constexpr const char* visible_facets_doc = R"(
-The facets that have the point, (d,), strictly beyond their hyperplane, exactly; increasing numbers. Empty for a point
-of the hull, or off its flat. InputError for NaN or infinity. Cost: that of the visible cells, and a walk.)";
-
-constexpr const char* statistics_doc = R"(
-What the construction has cost: a dict of counts (created_cells, visited_cells, insertions, and the tests decided by
-the stages filter, direct, exact, perturbed), order_seconds, build_seconds and cell_bytes.)";
-
 }  // namespace
 
 void bind_convex_hull(py::module_& module) {
-  py::class_<HeldHull> type(module, "ConvexHull", text(hull_doc));
+  py::class_<HeldHull> type(module, "ConvexHull", text(docs::convex_hull::hull));
   type.def(py::init(&construct), "points"_a, py::kw_only(), "tolerance"_a = 0.0, "seed"_a = 0,
            "order"_a = "automatic", "threads"_a = 0, "progress"_a = py::none(), "memory_limit"_a = py::none(),
            "time_limit"_a = py::none());
   type.def_static("of_extreme_points", &of_extreme_points, "points"_a, py::kw_only(), "tolerance"_a = 0.0,
                   "seed"_a = 0, "order"_a = "automatic", "threads"_a = 0, "progress"_a = py::none(),
-                  "memory_limit"_a = py::none(), "time_limit"_a = py::none(), text(of_extreme_points_doc));
+                  "memory_limit"_a = py::none(), "time_limit"_a = py::none(),
+                  text(docs::convex_hull::of_extreme_points));
   type.def("insert_range", &HeldHull::add, "points"_a, py::kw_only(), "progress"_a = py::none(),
-           text(insert_range_doc));
+           text(docs::convex_hull::insert_range));
   type.def_property_readonly("dimension", &HeldHull::dimension,
-                             "d >= 1, the number of coordinates of a point.")
-      .def_property_readonly(
-          "affine_dimension", asking([](const Polytope& h) { return h.affine_dimension(); }),
-          "k <= d, of the smallest flat that contains all points; 0 for one distinct point, "
-          "-1 for none.")
+                             "The number d >= 1 of coordinates of a point.")
+      .def_property_readonly("affine_dimension",
+                             asking([](const Polytope& h) { return h.affine_dimension(); }),
+                             "The dimension k <= d of the smallest flat that contains all points; 0 for one "
+                             "distinct point, -1 for none.")
       .def_property_readonly("tolerance", asking([](const Polytope& h) { return h.tolerance(); }),
-                             "The argument of the constructor; 0.0: the hull is exact.")
+                             "The tolerance of the constructor; 0.0: the hull is exact.")
       .def_property_readonly(
           "max_distance", asking([](const Polytope& h) { return h.max_distance(); }),
-          "No point is farther outside of the hull than this: a bound, rounded up, at most `tolerance`.")
+          "A bound, rounded up, on the distance of points outside the hull; at most `tolerance`.")
       .def_property_readonly(
           "axes",
           [](const HeldHull& h) {
             return py::tuple(py::cast(h.ask([](const Polytope& p) { return p.axes(); })));
           },
-          "k coordinate axes onto which the flat of the points projects one-to-one, increasing: a tuple.")
+          "The k coordinate axes onto which the flat of the points projects one-to-one, increasing, a tuple.")
       .def_property_readonly("num_points", asking([](const Polytope& h) { return h.num_points(); }),
-                             "n, the rows of the input, duplicates included.")
+                             "The number n of input rows, duplicates included.")
       .def_property_readonly("num_duplicates", asking([](const Polytope& h) { return h.num_duplicates(); }),
-                             "How many rows are equal to an earlier one.")
+                             "The number of rows that are equal to an earlier one.")
       .def_property_readonly("num_vertices", asking([](const Polytope& h) { return h.num_vertices(); }),
-                             "How many distinct points are extreme: in no segment between two others.")
+                             "The number of distinct extreme points: those in no segment between two others.")
       .def_property_readonly("num_cells", asking([](const Polytope& h) { return h.num_cells(); }),
-                             "m, the simplices of the boundary.")
+                             "The number m of simplices of the boundary.")
       .def_property_readonly("num_facets", asking([](const Polytope& h) { return h.num_facets(); }),
-                             "f, the facets of the polytope; also len().")
+                             "The number f of facets of the polytope; also len().")
       .def_property_readonly("num_ridges", asking([](const Polytope& h) { return h.num_ridges(); }),
-                             "r, the ridges of the polytope: where two facets meet.")
+                             "The number r of ridges of the polytope, in which two facets meet.")
       .def("__len__", asking([](const Polytope& h) { return h.num_facets(); }))
-      .def_property_readonly("columns", &HeldHull::columns, "As those of Delaunay.")
+      .def_property_readonly("columns", &HeldHull::columns,
+                             "The labels of the columns of the DataFrame it was made of, a tuple, or None; "
+                             "see `Delaunay.columns`.")
       .def_property_readonly("_index", &HeldHull::row_index)
       .def("_sample", &sample, "limit"_a)
-      .def_property_readonly("points", &points, "(n, d) float64: all rows of the input, in their order.")
+      .def_property_readonly("points", &points, "All input rows in their order, (n, d) float64.")
       .def_property_readonly(
           "cells",
           [](const HeldHull& h) {
             const auto data = h.data();
             return rows_view(data->cells, data->num_cells(), width(*data), data);
           },
-          "(m, k) input rows, in no particular order. With a point inside put first each is positively "
-          "oriented when k = d > 1.")
+          text(docs::convex_hull::cells))
       .def_property_readonly(
           "neighbors",
           [](const HeldHull& h) {
             const auto data = h.data();
             return rows_view(data->neighbors, data->num_cells(), width(*data), data);
           },
-          text(neighbors_doc))
+          "The neighbors of each cell, (m, k) cells: number j is across the ridge opposite vertex j.")
       .def_property_readonly("facet_of_cell", &list_of<&HullData::facet_of_cell>,
-                             "(m,) numbers 0 ... f-1: the facet each cell is part of.")
+                             "The facet of each cell, (m,).")
       .def_property_readonly("vertices", &list_of<&HullData::vertices>,
                              "The rows of the extreme points, increasing; of equal rows the first.")
       .def_property_readonly("vertex_of_point", &list_of<&HullData::vertex_of_point>,
-                             "(n,) the first row that is equal to each row.")
+                             "The first row that is equal to each row, (n,).")
       .def_property_readonly(
           "facets",
           [](const HeldHull& h) {
             return py::make_tuple(list_of<&HullData::facet_offsets>(h),
                                   list_of<&HullData::facet_vertices>(h));
           },
-          "(offsets (f+1,), rows): the extreme rows of facet i are rows[offsets[i]:offsets[i+1]], "
-          "increasing.")
+          text(docs::convex_hull::facets))
       .def_property_readonly(
           "ridges",
           [](const HeldHull& h) {
@@ -428,7 +363,7 @@ void bind_convex_hull(py::module_& module) {
                                   list_view(data->ridge_offsets, data),
                                   list_view(data->ridge_vertices, data));
           },
-          text(ridges_doc))
+          text(docs::convex_hull::ridges))
       .def_property_readonly(
           "equations",
           [](const HeldHull& h) {
@@ -436,14 +371,14 @@ void bind_convex_hull(py::module_& module) {
             return rows_view(data->equations, data->num_facets(),
                              static_cast<std::size_t>(data->dimension) + 1, data);
           },
-          text(equations_doc))
+          text(docs::convex_hull::equations))
       .def_property_readonly(
           "equation_errors",
           [](const HeldHull& h) {
             const auto data = h.data();
             return list_view(data->equation_errors, data);
           },
-          text(equation_errors_doc))
+          text(docs::convex_hull::equation_errors))
       .def_property_readonly(
           "point_kinds",
           [](const HeldHull& h) {
@@ -452,42 +387,29 @@ void bind_convex_hull(py::module_& module) {
                 {reinterpret_cast<const std::uint8_t*>(data->point_kinds.data()), data->point_kinds.size()},
                 {static_cast<py::ssize_t>(data->point_kinds.size())}, data);
           },
-          "(n,) uint8: 0 extreme, 1 on the boundary otherwise (or outside, within the tolerance), 2 "
-          "interior, 3 "
-          "equal to an earlier row.")
-      .def_property_readonly(
-          "volume", asking([](const Polytope& h) { return h.volume().value; }),
-          "The k-dimensional volume, >= 0, off by at most volume_error; 0 for k < 1. Cost: O(m d^3), once.")
-      .def_property_readonly(
-          "volume_error", asking([](const Polytope& h) { return h.volume().error; }),
-          "A bound of how far `volume` is from the exact one; infinite where numbers overflow.")
+          text(docs::convex_hull::point_kinds))
+      .def_property_readonly("volume", asking([](const Polytope& h) { return h.volume().value; }),
+                             text(docs::convex_hull::volume))
+      .def_property_readonly("volume_error", asking([](const Polytope& h) { return h.volume().error; }),
+                             "A bound on the error of `volume`; infinite if numbers overflow.")
       .def_property_readonly(
           "area", asking([](const Polytope& h) { return h.area().value; }),
-          "The (k-1)-dimensional volume of the boundary, >= 0, off by at most area_error; 2 for k = 1.")
-      .def_property_readonly(
-          "area_error", asking([](const Polytope& h) { return h.area().error; }),
-          "A bound of how far `area` is from the exact one; infinite where numbers overflow.")
+          "The (k-1)-dimensional volume of the boundary, off by at most `area_error`; 2 for k = 1.")
+      .def_property_readonly("area_error", asking([](const Polytope& h) { return h.area().error; }),
+                             "A bound on the error of `area`; infinite if numbers overflow.")
       .def_property_readonly(
           "f_vector",
           [](const HeldHull& h) {
             return py::tuple(py::cast(h.ask([](const Polytope& p) { return p.f_vector(); })));
           },
-          "The number of faces of the polytope of each dimension 0 ... k-1: a tuple. With a tolerance, faces "
-          "are "
-          "the sets of vertices that facets have in common. Cost: up to O(faces f "
-          "k), "
-          "and memory for all faces of one dimension.")
+          text(docs::convex_hull::f_vector))
       .def_property_readonly("hash", asking([](const Polytope& h) { return h.hash().hex(); }),
-                             "32 hexadecimal digits that depend on the coordinates of the cells' vertices "
-                             "and the set of cells only; the command prints the same. Cost: O(m k).")
-      .def_property_readonly("statistics", &statistics, text(statistics_doc))
-      .def(
-          "contains", &contains, "queries"_a,
-          "Whether each query (..., d) is inside or on the boundary, exactly: (...) bool. Errors and cost as "
-          "in locate().")
-      .def("locate", &locate, "queries"_a, text(locate_doc))
-      .def("plane_distance", &plane_distance, "queries"_a, text(plane_distance_doc))
-      .def("visible_facets", &visible_facets, "point"_a, text(visible_facets_doc))
+                             text(docs::convex_hull::hash))
+      .def_property_readonly("statistics", &statistics, text(docs::convex_hull::statistics))
+      .def("contains", &contains, "queries"_a, text(docs::convex_hull::contains))
+      .def("locate", &locate, "queries"_a, text(docs::convex_hull::locate))
+      .def("plane_distance", &plane_distance, "queries"_a, text(docs::convex_hull::plane_distance))
+      .def("visible_facets", &visible_facets, "point"_a, text(docs::convex_hull::visible_facets))
       .def("_data",
            [](const HeldHull& h) { return to_python(h.ask([](const Polytope& p) { return p.to_data(); })); })
       .def("__repr__", &repr)

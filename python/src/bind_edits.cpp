@@ -3,6 +3,7 @@
 #include "bind_edits.hpp"
 
 #include "arrays.hpp"
+#include "docs_edits.hpp"
 #include "docstring.hpp"
 #include "pickling.hpp"
 
@@ -283,61 +284,6 @@ void change(Held& held, void (Held::*member)(Arguments...), Arguments... argumen
   supervisor.run([&] { (held.*member)(arguments...); });
 }
 
-constexpr const char* remove_doc = R"(
-Removes rows, one or an array: all of them, or none if it raises.
-
-The result is that of the rows that are left. They keep their numbers, and those removed are not used again: see has_row,
-num_rows and compact_ids. Arrays that were taken before stay as they are. InputError for a row that is not there or is
-given twice: it is named. Cost of one row that is the only one at its place: that of 1.2 insertions there
-in 2D, and of up to five in 6D.)";
-
-constexpr const char* move_doc = R"(
-Gives a row another point, (d,), or many rows as many, (m, d): all of them, or none if it raises.
-
-Cost of a small step, after which the cells around are still those of the result: about that of an insertion; otherwise
-about that of a removal and an insertion. Errors as for remove and insert_range.)";
-
-constexpr const char* set_weights_doc = R"(
-Gives a row another weight, or many rows as many, (m,): all of them, or none if it raises. Cost and errors as for move.)";
-
-constexpr const char* edit_doc = R"(
-Inserts, removes and moves points at once: all of it, or nothing if it raises.
-
-insert: points, (n, d), the next rows. remove: a row, or an array. move: a pair (rows, points) as for move. A row that is
-removed is in no other list. Where much changes, cells are built anew, by several threads.)";
-
-constexpr const char* edit_regular_doc = R"(
-Inserts, removes, moves points and changes weights at once: all of it, or nothing if it raises.
-
-insert: points, (n, d), the next rows, with insert_weights, (n,). remove: a row, or an array. move: a pair (rows, points) as
-for move. weights: a pair (rows, weights) as for set_weights. A row that is removed is in no other list; one may be both
-moved and weighed. Where much changes, cells are built anew, by several threads.)";
-
-constexpr const char* clone_doc =
-    "A copy with the same ids of cells and vertices, and limits; nothing of it can be undone. O(n d + m k).";
-
-constexpr const char* record_changes_doc = R"(
-Has changes tell from now on what every insertion, edit and undo does. Such a call then takes up to twice as long;
-insert_range up to three times, as one thread inserts the points one by one, unless they are more than those that are
-there. record_changes(False) ends that.)";
-
-constexpr const char* changes_doc = R"(
-What the last insertion, edit or undo did, delone.Changes: ids of cells and vertices, see cell_ids and vertex_ids. A call
-without any row or point does not count. None unless record_changes() was called.)";
-
-constexpr const char* record_undo_doc = R"(
-Has undo take back the last insertion or edit from now on. Until the next one, memory for the cells that it has changed is
-kept, and calls take longer as with record_changes(). A call without any row or point does not count. After one that is
-interrupted or runs out of memory nothing can be taken back. record_undo(False) ends that.)";
-
-constexpr const char* undo_doc = R"(
-Takes back the last insertion or edit: all arrays and ids are as they were. It cannot be taken back itself. Ctrl-C
-waits for its end. InputError unless can_undo.)";
-
-constexpr const char* compact_ids_doc = R"(
-Gives rows and vertices numbers without gaps, in their present order. Returns (vertices, rows): by old id and by old number
-the new one, or -1. Then nothing can be undone. O(m k + n).)";
-
 py::tuple state(const Held& held) {
   const BuildArguments& a = held.arguments();
   for (;;) {
@@ -412,7 +358,7 @@ template <class T>
 void bind_copies(Class<T>& type) {
   type.def(py::pickle([](const T& held) { return state(held); },
                       [](const py::tuple& state) { return restored<T>(state); }))
-      .def("clone", &clone<T>, clone_doc)
+      .def("clone", &clone<T>, text(docs::edits::clone))
       .def("__copy__", &copy<T>)
       .def(
           "__deepcopy__", [](const py::object& self, const py::object&) { return copy<T>(self); }, "memo"_a);
@@ -433,87 +379,48 @@ void bind_points_only(Class<T>& type) {
       [](T& held, const py::object& points, const py::object& progress) {
         add(held, points, py::none(), progress);
       },
-      "points"_a, py::kw_only(), "progress"_a = py::none(),
-      "Adds points, (n, d), as the next rows: all of them, or none if it raises.\n\n"
-      "Arrays that were taken before stay as they are; cells are numbered anew.");
+      "points"_a, py::kw_only(), "progress"_a = py::none(), text(docs::edits::insert_range));
   type.def(
       "edit",
       [](T& held, const py::object& insert, const py::object& remove, const py::object& move,
          const py::object& progress) { edit(held, insert, py::none(), remove, move, py::none(), progress); },
       py::kw_only(), "insert"_a = py::none(), "remove"_a = py::none(), "move"_a = py::none(),
-      "progress"_a = py::none(), text(edit_doc));
+      "progress"_a = py::none(), text(docs::edits::edit));
   bind_copies(type);
 }
-
-constexpr const char* delaunay_doc = R"(
-Delaunay(points, *, seed=0, order='automatic', threads=0, progress=None,
-         memory_limit=None, time_limit=None)
-
-The Delaunay triangulation of points, (n, d) numbers that are exact in float64, or a pandas DataFrame, in any dimension.
-
-Exact, a function of the set of points: seed and order ('automatic', 'as_given', 'shuffled') only change the way there.
-Duplicates are merged, flat points are triangulated in their flat. At most `threads` threads build, and answer queries; 0:
-as many as there are cores for the process, where the work is large enough to gain by them. All arrays are the same,
-however many. `progress`: True for a bar, or a function that is called ten times a second with the fraction done; what
-it returns stops the work (CancelledError) if it is false, but None. Ctrl-C stops with KeyboardInterrupt. `memory_limit`,
-the bytes that the process may have in use, and `time_limit`, the seconds for this call or one of insert_range, end it with
-OutOfMemoryError and TimeLimitError, which say how far it came and what the whole would have taken (see delone.estimate);
-a copy by pickling has no limits.
-Methods let go of the GIL; any number of threads may call them at once. Raises InputError, a ValueError, for NaN and
-infinities, and ValueError for other input that is no array of points; both name the row, and of a DataFrame the column.
-Cost: O(n) cells and time in each dimension for evenly spread points.)";
-
-constexpr const char* regular_doc = R"(
-Regular(points, weights, *, seed=0, order='automatic', threads=0, progress=None,
-        memory_limit=None, time_limit=None)
-
-The regular triangulation (weighted Delaunay triangulation) of points, (n, d), with weights, (n,), which have the unit
-of squared lengths and may be negative. Points above the lower boundary of the lifted points (x, |x|² - weight) are
-hidden. All else as in Delaunay.)";
-
-constexpr const char* furthest_site_doc = R"(
-FurthestSite(points, *, seed=0, order='automatic', threads=0, progress=None,
-             memory_limit=None, time_limit=None)
-
-The furthest-site Delaunay triangulation of points, (n, d): the cells whose spheres have no point outside. Its vertices
-are the extreme points, all others are hidden. One thread builds it. All else as in Delaunay.)";
 
 }  // namespace
 
 void bind_edits(py::module_& module, py::class_<Held, std::shared_ptr<Held>>& base) {
-  base.def("remove", &remove, "rows"_a, py::kw_only(), "progress"_a = py::none(), text(remove_doc))
-      .def("move", &move, "rows"_a, "points"_a, py::kw_only(), "progress"_a = py::none(), text(move_doc))
-      .def("has_row", &has_row, "rows"_a,
-           "Whether a row, or each of an array, is there: False if it was removed. InputError for one that "
-           "never was.")
+  base.def("remove", &remove, "rows"_a, py::kw_only(), "progress"_a = py::none(), text(docs::edits::remove))
+      .def("move", &move, "rows"_a, "points"_a, py::kw_only(), "progress"_a = py::none(),
+           text(docs::edits::move))
+      .def("has_row", &has_row, "rows"_a, text(docs::edits::has_row))
       .def(
           "record_changes", [](Held& held, bool wanted) { change(held, &Held::record_changes, wanted); },
-          "wanted"_a = true, text(record_changes_doc))
-      .def_property_readonly("changes", &changes, text(changes_doc))
+          "wanted"_a = true, text(docs::edits::record_changes))
+      .def_property_readonly("changes", &changes, text(docs::edits::changes))
       .def_property_readonly(
           "cell_ids", &cell_ids,
-          "(m,) the id of each cell, increasing. A cell has its id as long as it is there.")
-      .def_property_readonly(
-          "vertex_ids", &vertex_ids,
-          "(n,) the id, 1 or more, of the vertex at each row; -1 if it is hidden or was removed. A vertex "
-          "has "
-          "its id as long as a row is left at its place, also while it is hidden; no other ever gets it.")
+          "The id of each cell, (m,), increasing; a cell keeps its id as long as it exists.")
+      .def_property_readonly("vertex_ids", &vertex_ids, text(docs::edits::vertex_ids))
       .def(
           "record_undo", [](Held& held, bool wanted) { change(held, &Held::record_undo, wanted); },
-          "wanted"_a = true, text(record_undo_doc))
+          "wanted"_a = true, text(docs::edits::record_undo))
       .def_property_readonly(
           "can_undo",
           [](const Held& h) { return count(h, [](const Triangulation& t) { return t.can_undo(); }); },
-          "Whether undo has something to take back: an insertion or edit since record_undo().")
+          "Whether there is an insertion or edit that `undo` can take back.")
       .def(
-          "undo", [](Held& held) { change(held, &Held::undo); }, text(undo_doc))
-      .def("compact_ids", &compact_ids, text(compact_ids_doc));
+          "undo", [](Held& held) { change(held, &Held::undo); }, text(docs::edits::undo))
+      .def("compact_ids", &compact_ids, text(docs::edits::compact_ids));
 
   py::class_<HeldDelaunay, Held, std::shared_ptr<HeldDelaunay>> delaunay(module, "Delaunay",
-                                                                         text(delaunay_doc));
+                                                                         text(docs::edits::delaunay));
   bind_points_only(delaunay);
 
-  py::class_<HeldRegular, Held, std::shared_ptr<HeldRegular>> regular(module, "Regular", text(regular_doc));
+  py::class_<HeldRegular, Held, std::shared_ptr<HeldRegular>> regular(module, "Regular",
+                                                                      text(docs::edits::regular));
   regular.def(py::init([](const py::object& points, const py::object& weights, std::uint64_t seed,
                           std::string order, int threads, const py::object& progress,
                           const py::object& memory_limit, const py::object& time_limit) {
@@ -528,26 +435,26 @@ void bind_edits(py::module_& module, py::class_<Held, std::shared_ptr<Held>>& ba
         add(held, points, weights, progress);
       },
       "points"_a, "weights"_a, py::kw_only(), "progress"_a = py::none(),
-      "Adds points, (n, d), with weights, (n,), as the next rows: all of them, or none if it raises.");
+      text(docs::edits::insert_range_regular));
   regular.def("set_weights", &set_weights, "rows"_a, "weights"_a, py::kw_only(), "progress"_a = py::none(),
-              text(set_weights_doc));
+              text(docs::edits::set_weights));
   regular.def("edit", &edit, py::kw_only(), "insert"_a = py::none(), "insert_weights"_a = py::none(),
               "remove"_a = py::none(), "move"_a = py::none(), "weights"_a = py::none(),
-              "progress"_a = py::none(), text(edit_regular_doc));
+              "progress"_a = py::none(), text(docs::edits::edit_regular));
   const auto bind_hidden = [](auto& type) {
-    type.def_property_readonly("hidden", &hidden, "The rows that are hidden, increasing.")
+    type.def_property_readonly("hidden", &hidden, "The hidden rows, increasing.")
         .def_property_readonly(
             "num_hidden",
             [](const Held& h) { return count(h, [](const Triangulation& t) { return t.num_hidden(); }); },
-            "How many rows are hidden.");
+            "The number of hidden rows.");
   };
   regular.def_property_readonly("weights", &weights_of,
-                                "(n,) float64, read-only; NaN for rows that were removed.");
+                                "The weights, (n,) float64, read-only; NaN for removed rows.");
   bind_hidden(regular);
   bind_copies(regular);
 
-  py::class_<HeldFurthestSite, Held, std::shared_ptr<HeldFurthestSite>> furthest(module, "FurthestSite",
-                                                                                 text(furthest_site_doc));
+  py::class_<HeldFurthestSite, Held, std::shared_ptr<HeldFurthestSite>> furthest(
+      module, "FurthestSite", text(docs::edits::furthest_site));
   bind_points_only(furthest);
   bind_hidden(furthest);
 }

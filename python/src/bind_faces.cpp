@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Faces, alpha complexes and measures of cells of a Triangulation.
 #include "arrays.hpp"
+#include "docs_faces.hpp"
 #include "docstring.hpp"
 #include "module.hpp"
 #include "pickling.hpp"
@@ -163,86 +164,41 @@ QualityMeasure measure_of(const std::string& name) {
                         shown(py::str(name)));
 }
 
-constexpr const char* faces_doc = R"(
-The faces of dimension 0 <= dimension <= d, each once: a delone.Faces. 0: the vertices; 1: the edges; k: the cells; none
-above k, where the points are flat.
-
-Which order they have depends on the triangulation only, and is that of alpha_values(dimension). ValueError for other
-dimensions. Cost: that of finding the faces of all dimensions from this one on.)";
-
-constexpr const char* qualities_doc = R"(
-How good each cell is, (m,) float64, in the order of cells. None depends on the scale; the relative error is certified to
-be below 1e-9. With the circumradius R, the inradius r, the volume V and the edges l of a cell:
-
-measure='radius_ratio': k r / R, from 0 (flat) to 1 (regular). 'mean_ratio': k(k+1)/2 (V/V1)^(2/k) / sum l^2, V1 the volume
-of the regular cell with edges of length 1; from 0 (flat) to 1 (regular). Both: Liu and Joe, doi:10.1007/BF01955874.
-'radius_edge_ratio': R over the shortest edge, at least sqrt(k/(2k+2)); Shewchuk, doi:10.1145/276884.276894.
-
-ValueError for another measure. Cost: O(m k^3).)";
-
-constexpr const char* alpha_complex_doc = R"(
-The alpha complex below a radius: a delone.AlphaComplex, the faces with an alpha value of at most radius^2.
-
-Its union has the shape of the union of the balls of that radius about the points; for Regular, of the balls with the
-squared radii radius^2 + weight. Exact: in or out is never a matter of rounding, and cospherical cells come in together.
-radius: >= 0, in the units of the coordinates; infinity gives all faces. Instead of it, squared_radius: any number, for
-Regular also below 0. ValueError for a negative radius, NaN, both or none of them. Not for FurthestSite. Edelsbrunner and
-Muecke, "Three-dimensional alpha shapes", doi:10.1145/174462.156635. Cost: O(m k^3).)";
-
-constexpr const char* alpha_values_doc = R"(
-The alpha values of the faces of one dimension, float64, in the order of faces(dimension).
-
-The alpha value of a face is the least squared radius of a sphere that passes through its vertices and has no point
-strictly inside (with weights: orthogonal to them, and to no point nearer than that). Each is the least double that is not
-below the exact value. So values <= s says exactly which faces are in alpha_complex(squared_radius=s), equal exact values are
-equal, and no face has a greater value than one that contains it. Not for FurthestSite. ValueError unless 0 <= dimension
-<= d. Cost: that of faces(dimension), and small systems of equations for each face on the way.)";
-
-constexpr const char* alpha_filtration_doc = R"(
-[(faces, values) for dimension 0 ... k]: faces(dimension) and alpha_values(dimension) of all dimensions, made at once.)";
-
 }  // namespace
 
 void bind_faces(py::module_& module) {
-  py::class_<HeldFaces>(module, "Faces", "The faces of one dimension of a triangulation. Read-only.")
+  py::class_<HeldFaces>(module, "Faces", text(docs::faces::result))
       .def_property_readonly(
           "dimension", [](const HeldFaces& f) { return f.faces().dimension; },
-          "j, the dimension of the faces.")
+          "The dimension j of the faces.")
       .def_property_readonly("vertices", &HeldFaces::vertices,
-                             "(n, j+1) input rows, increasing in each face; cells as in Triangulation.cells.")
-      .def_property_readonly("cells", &HeldFaces::cells, "(n,) a cell that contains each face.")
+                             "The vertices of each face, (n, j+1) input rows, increasing; those of cells as "
+                             "in `Delaunay.cells`.")
+      .def_property_readonly("cells", &HeldFaces::cells, "A cell that contains each face, (n,).")
       .def_property_readonly(
           "on_hull", [](const HeldFaces& f) { return as_flags(f.faces().on_hull); },
-          "(n,) bool: whether each face lies in the boundary of the convex hull.")
+          "Whether each face lies in the boundary of the convex hull, (n,) bool.")
       .def("__len__", [](const HeldFaces& f) { return f.faces().size(); })
       .def("__repr__", &HeldFaces::repr)
       .def(py::pickle([](const HeldFaces& f) { return f.state(); },
                       [](const py::tuple& state) { return HeldFaces::restored(state); }));
 
-  py::class_<HeldAlpha>(module, "AlphaComplex", "The faces of a triangulation below a radius. Read-only.")
+  py::class_<HeldAlpha>(module, "AlphaComplex", text(docs::faces::alpha_class))
       .def_property_readonly("radius", &HeldAlpha::radius,
-                             "What it was made with; NaN if it was made with `squared_radius`.")
-      .def_property_readonly(
-          "triangulation", &HeldAlpha::triangulation,
-          "What it is a part of. RuntimeError if points have been added to the triangulation since.")
+                             "The radius; NaN if the complex was made with `squared_radius`.")
+      .def_property_readonly("triangulation", &HeldAlpha::triangulation,
+                             "The triangulation; RuntimeError if points have been added to it since.")
       .def_property_readonly("cells", &HeldAlpha::cells,
-                             "(m', k+1) input rows: the cells that are in it, in their order.")
+                             "The cells of the complex, (m', k+1) input rows, in their order.")
       .def_property_readonly("cell_numbers", &HeldAlpha::numbers,
-                             "(m',) rows of Triangulation.cells: the same cells.")
-      .def_property_readonly(
-          "boundary", &HeldAlpha::boundary,
-          "(b, k) input rows: the facets that belong to exactly one of its cells. With a point inside that "
-          "cell put first they\nare positively oriented when k = d > 1: counterclockwise as seen from "
-          "outside "
-          "in space.")
+                             "The cells of the complex, (m',) numbers of cells of the triangulation.")
+      .def_property_readonly("boundary", &HeldAlpha::boundary, text(docs::faces::boundary))
       .def_property_readonly("boundary_cells", &HeldAlpha::boundary_cells,
-                             "(b,) rows of Triangulation.cells: the cell of each boundary facet.")
+                             "The cell of each boundary facet, (b,) numbers of cells of the triangulation.")
       .def_property_readonly(
           "singular_facets", &HeldAlpha::singular,
-          "(s, k) input rows: the facets that are in it while no cell that contains them is.")
-      .def("faces", &HeldAlpha::faces, "dimension"_a,
-           "Its faces of dimension 0 <= dimension <= d: a delone.Faces, in the order of "
-           "Triangulation.faces.\n\nRuntimeError if points have been added to the triangulation since.")
+          "The singular facets, (s, k) input rows: none of the cells that contain them is in the complex.")
+      .def("faces", &HeldAlpha::faces, "dimension"_a, text(docs::faces::alpha_faces))
       .def("__len__", &HeldAlpha::size)
       .def("__repr__", &HeldAlpha::repr);
 
@@ -258,32 +214,24 @@ void bind_faces(py::module_& module) {
                   py::none(), py::none(), doc);
   };
   method(
-      "faces", faces_doc + 1,
+      "faces", text(docs::faces::faces),
       [](const Held& held, int dimension) {
         return ask(held,
                    [&](const Triangulation& t) { return HeldFaces(faces(t, dimension, options_of(held))); });
       },
       "dimension"_a);
-  property(
-      "circumradii",
-      "(m,) float64: the radius of the sphere through the vertices of each cell. The relative error is "
-      "certified to be at most 2^-52. Weights do not count. O(m k^3).",
-      [](const Held& held) {
-        return list_view(ask(held, [&](const Triangulation& t) { return circumradii(t, options_of(held)); }));
-      });
-  property(
-      "circumcenters",
-      "(m, d) float64: the centers of these spheres, each coordinate the double nearest to the exact one. "
-      "Weights do not count. O(m k^3).",
-      [](const Held& held) {
-        const auto d = static_cast<std::size_t>(held.dimension());
-        std::vector<double> centers =
-            ask(held, [&](const Triangulation& t) { return circumcenters(t, options_of(held)); });
-        const std::size_t count = centers.size() / d;
-        return rows_view(std::move(centers), count, d);
-      });
+  property("circumradii", text(docs::faces::circumradii), [](const Held& held) {
+    return list_view(ask(held, [&](const Triangulation& t) { return circumradii(t, options_of(held)); }));
+  });
+  property("circumcenters", text(docs::faces::circumcenters), [](const Held& held) {
+    const auto d = static_cast<std::size_t>(held.dimension());
+    std::vector<double> centers =
+        ask(held, [&](const Triangulation& t) { return circumcenters(t, options_of(held)); });
+    const std::size_t count = centers.size() / d;
+    return rows_view(std::move(centers), count, d);
+  });
   method(
-      "qualities", qualities_doc + 1,
+      "qualities", text(docs::faces::qualities),
       [](const Held& held, const std::string& measure) {
         const QualityMeasure chosen = measure_of(measure);
         return list_view(
@@ -291,7 +239,7 @@ void bind_faces(py::module_& module) {
       },
       "measure"_a = "radius_ratio");
   method(
-      "alpha_complex", alpha_complex_doc + 1,
+      "alpha_complex", text(docs::faces::alpha_complex),
       [](const py::object& self, std::optional<double> radius, std::optional<double> squared_radius) {
         if (!py::isinstance<Held>(self))
           throw py::type_error("alpha_complex: of a triangulation, not of " + type_name(self));
@@ -303,14 +251,14 @@ void bind_faces(py::module_& module) {
       },
       "radius"_a = py::none(), py::kw_only(), "squared_radius"_a = py::none());
   method(
-      "alpha_values", alpha_values_doc + 1,
+      "alpha_values", text(docs::faces::alpha_values),
       [](const Held& held, int dimension) {
         return list_view(ask(held, [&](const Triangulation& t) {
           return std::move(alpha_values(t, dimension, options_of(held)).values);
         }));
       },
       "dimension"_a);
-  method("alpha_filtration", alpha_filtration_doc + 1, [](const Held& held) {
+  method("alpha_filtration", text(docs::faces::alpha_filtration), [](const Held& held) {
     std::vector<FaceValues> levels =
         ask(held, [&](const Triangulation& t) { return alpha_filtration(t, options_of(held)); });
     py::list result;

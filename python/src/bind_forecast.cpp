@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone.forecast and delone.estimate.
 #include "arrays.hpp"
+#include "docs_forecasts.hpp"
 #include "docstring.hpp"
 #include "module.hpp"
 #include "pickling.hpp"
@@ -18,32 +19,6 @@ namespace delone::python {
 namespace {
 
 using namespace py::literals;
-
-constexpr const char* forecast_doc = R"(
-What delone.Delaunay will take for num_points points of a kind in `dimension` dimensions: a Forecast.
-
-kind: one that the command's `generate` makes ('uniform', 'ball', 'sphere', 'grid', ...). From closed forms and from
-recorded constructions, with times adapted to this machine, which takes some 50 milliseconds once. For these kinds the
-cells, bytes and seconds are within a factor of 1.5 of what comes, in up to 8 dimensions; beyond they are rough.
-threads: as in Delaunay. Raises ValueError for a kind that there is not. Sources: Miles 1974 and Møller 1994
-(Poisson-Delaunay constants), Dwyer 1991, doi:10.1007/BF02574694 (uniform points), McMullen 1970 (most cells).)";
-
-constexpr const char* estimate_doc = R"(
-The same for points, (n, d): a forecast corrected by samples of them, random subsets of growing size.
-
-Beyond the largest sample they are taken to grow like those of the recorded kinds that have grown like the samples.
-Points of a lattice are noticed, and duplicates counted. Numbers of cells depend on the set of points alone, but for
-the size of the samples, which is chosen by time: at least 20 000 cells, then about a twentieth of the construction or
-0.3 seconds, and sample_seconds at most. Reading the points is O(n d). Raises InputError for NaN and infinities, ValueError for bad
-arguments; progress: see Delaunay.)";
-
-constexpr const char* forecast_class_doc =
-    "What a Delaunay triangulation will take: made by forecast and estimate.\n\n"
-    "cells, bytes, seconds and vertices are expected values, and cells_range, bytes_range and seconds_range, "
-    "(low, "
-    "high), hold\n"
-    "nine of ten. bytes is the peak of memory on top of the points, seconds is wall-clock time on an idle "
-    "machine.";
 
 py::tuple as_range(const ForecastQuantity& quantity) { return py::make_tuple(quantity.low, quantity.high); }
 
@@ -91,28 +66,34 @@ Forecast restored_forecast(const py::tuple& given) {
 }  // namespace
 
 void bind_forecast(py::module_& module) {
-  py::class_<Forecast>(module, "Forecast", forecast_class_doc)
-      .def_readonly("dimension", &Forecast::dimension, "d.")
-      .def_readonly("affine_dimension", &Forecast::affine_dimension, "k, as far as the points tell.")
-      .def_readonly("num_points", &Forecast::num_points, "n.")
-      .def_readonly("threads", &Forecast::threads, "How many will build.")
+  py::class_<Forecast>(module, "Forecast", text(docs::forecasts::result))
+      .def_readonly("dimension", &Forecast::dimension, "The number d of coordinates.")
+      .def_readonly("affine_dimension", &Forecast::affine_dimension,
+                    "The affine dimension k, if known from points; -1 for no points.")
+      .def_readonly("num_points", &Forecast::num_points, "The number n of points.")
+      .def_readonly("threads", &Forecast::threads, "The number of threads that will build.")
       .def_readonly("num_sampled", &Forecast::num_sampled,
-                    "Points of the largest sample that was triangulated; 0: none.")
+                    "The number of points of the largest triangulated sample; 0: none.")
       .def_property_readonly(
-          "vertices", [](const Forecast& f) { return f.vertices.expected; }, "Distinct points.")
+          "vertices", [](const Forecast& f) { return f.vertices.expected; },
+          "The expected number of distinct points.")
       .def_property_readonly(
-          "cells", [](const Forecast& f) { return f.cells.expected; }, "Finite cells.")
+          "cells", [](const Forecast& f) { return f.cells.expected; }, "The expected number of cells.")
       .def_property_readonly(
           "bytes", [](const Forecast& f) { return f.bytes.expected; },
-          "The peak of memory, on top of the points.")
+          "The expected peak of memory in bytes, on top of the points.")
       .def_property_readonly(
-          "seconds", [](const Forecast& f) { return f.seconds.expected; }, "Wall-clock time.")
+          "seconds", [](const Forecast& f) { return f.seconds.expected; },
+          "The expected wall-clock time in seconds, on an otherwise idle machine.")
       .def_property_readonly(
-          "cells_range", [](const Forecast& f) { return as_range(f.cells); }, "(low, high).")
+          "cells_range", [](const Forecast& f) { return as_range(f.cells); },
+          "The range of `cells`, (low, high).")
       .def_property_readonly(
-          "bytes_range", [](const Forecast& f) { return as_range(f.bytes); }, "(low, high).")
+          "bytes_range", [](const Forecast& f) { return as_range(f.bytes); },
+          "The range of `bytes`, (low, high).")
       .def_property_readonly(
-          "seconds_range", [](const Forecast& f) { return as_range(f.seconds); }, "(low, high).")
+          "seconds_range", [](const Forecast& f) { return as_range(f.seconds); },
+          "The range of `seconds`, (low, high).")
       .def("__repr__", &forecast_text)
       .def(py::pickle(&state_of_forecast, &restored_forecast));
   module.def(
@@ -124,7 +105,7 @@ void bind_forecast(py::module_& module) {
         return supervisor.run([&] { return forecast(dimension, num_points, kind, most); });
       },
       "dimension"_a, "num_points"_a, "kind"_a = "uniform", py::kw_only(), "threads"_a = 0,
-      text(forecast_doc));
+      text(docs::forecasts::forecast));
   module.def(
       "estimate",
       [](const py::object& points, int threads, double sample_seconds, const py::object& progress) {
@@ -138,7 +119,7 @@ void bind_forecast(py::module_& module) {
         return supervisor.run([&] { return estimate(view, dimension, options); });
       },
       "points"_a, py::kw_only(), "threads"_a = 0, "sample_seconds"_a = 1.0, "progress"_a = py::none(),
-      text(estimate_doc));
+      text(docs::forecasts::estimate));
 }
 
 }  // namespace delone::python

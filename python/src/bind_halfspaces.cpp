@@ -2,6 +2,7 @@
 // delone.HalfspaceIntersection.
 #include "arrays.hpp"
 #include "data_members.hpp"
+#include "docs_halfspaces.hpp"
 #include "docstring.hpp"
 #include "html.hpp"
 #include "module.hpp"
@@ -190,56 +191,11 @@ auto asking(Question question) {
   return [question](const HeldIntersection& held) { return held.ask(question); };
 }
 
-constexpr const char* intersection_doc = R"(
-HalfspaceIntersection(halfspaces, interior_point=None, *, seed=0, order='automatic', threads=0, progress=None,
-                      memory_limit=None, time_limit=None)
-
-The points x with A x + b <= 0, for halfspaces (m, d+1) with the rows [A, b], d >= 1: the vertices, facets and
-edges of a polyhedron, exactly. interior_point: (d,), strictly inside all of them; without one it is found, by an
-exact linear program.
-
-An intersection that is flat or empty is a result, see `state`. Where it contains lines (the rank k of the normals
-is less than d), vertices and the like are those of its section by the coordinates `axes`, and `lineality` spans
-the lines. Arguments as in Delaunay; methods release the GIL. Raises InputError, a ValueError, for NaN and
-infinities, and if interior_point is not strictly inside; `rows` of the error names the halfspaces. Cost: that of
-the convex hull of m+1 points. Source: duality, doi:10.1016/0304-3975(79)90055-0.)";
-
-constexpr const char* insert_range_doc = R"(
-Adds halfspaces, (n, d+1), as the next rows; the interior point must be strictly inside them, or InputError is
-raised. If it raises, nothing has changed. Arrays taken before stay as they are. Where there was no interior point,
-or the rank rises, all is built anew.)";
-
-constexpr const char* vertex_halfspaces_doc = R"(
-The rows of the facets that meet in vertex i: vertex_halfspaces[vertex_offsets[i]:vertex_offsets[i+1]], increasing,
-k of them or more.)";
-
-constexpr const char* direction_halfspaces_doc = R"(
-The rows of the facets that contain direction i: direction_halfspaces[direction_offsets[i]:direction_offsets[i+1]],
-increasing.)";
-
-constexpr const char* facet_vertices_doc = R"(
-The vertices of facet i: facet_vertices[facet_offsets[i]:facet_offsets[i+1]]; for k = 3 along its border,
-counterclockwise seen from outside when k = d; otherwise increasing.)";
-
-constexpr const char* volume_doc = R"(
-The d-volume of the convex hull of the rounded vertices: infinite if unbounded, 0 if flat or empty. Cost: that hull, at
-every call; from d = 5 on it may take far longer than the intersection.)";
-
-constexpr const char* dual_points_doc = R"(
-(m, d) float64: -A / (A p + b) with the interior point p, rounded; 0 for a row without a normal.)";
-
-constexpr const char* dual_equations_doc = R"(
-(v, d+1) float64: the unit normal and the offset of the facet of the dual points' hull for each vertex, rounded.)";
-
-constexpr const char* statistics_doc = R"(
-What the construction has cost: a dict of counts (created_cells, visited_cells, insertions, and the tests decided by
-the stages filter, direct, exact, perturbed), order_seconds, build_seconds and cell_bytes.)";
-
 }  // namespace
 
 void bind_halfspaces(py::module_& module) {
   using Data = IntersectionData;
-  py::class_<HeldIntersection> type(module, "HalfspaceIntersection", text(intersection_doc));
+  py::class_<HeldIntersection> type(module, "HalfspaceIntersection", text(docs::halfspaces::intersection));
   type.def(py::init([](const py::object& halfspaces, const py::object& interior_point, std::uint64_t seed,
                        std::string order, int threads, const py::object& progress,
                        const py::object& memory_limit, const py::object& time_limit) {
@@ -253,85 +209,87 @@ void bind_halfspaces(py::module_& module) {
            "order"_a = "automatic", "threads"_a = 0, "progress"_a = py::none(), "memory_limit"_a = py::none(),
            "time_limit"_a = py::none());
   type.def("insert_range", &HeldIntersection::add, "halfspaces"_a, py::kw_only(), "progress"_a = py::none(),
-           text(insert_range_doc));
+           text(docs::halfspaces::insert_range));
   type.def_property_readonly("dimension", &HeldIntersection::dimension,
-                             "d >= 1, the number of coordinates of a point.")
+                             "The number d >= 1 of coordinates of a point.")
       .def_property_readonly("rank", asking([](const Polyhedron& h) { return h.rank(); }),
-                             "k <= d, the rank of the normals: d-k is the dimension of the lines in the "
-                             "intersection. 0 unless the "
-                             "state is 'full'.")
+                             text(docs::halfspaces::rank))
       .def_property_readonly("state", asking([](const Polyhedron& h) { return name_of(h.state()); }),
-                             "'full', 'flat' (points, but none strictly inside) or 'empty'.")
+                             "'full', 'flat' (some points, but none strictly inside) or 'empty'.")
       .def_property_readonly("is_bounded", asking([](const Polyhedron& h) { return h.is_bounded(); }),
                              "Whether the intersection is a polytope: full, without directions and lines.")
       .def_property_readonly("num_halfspaces", asking([](const Polyhedron& h) { return h.num_halfspaces(); }),
-                             "m, the rows of the input.")
+                             "The number m of input rows.")
       .def_property_readonly("num_vertices", asking([](const Polyhedron& h) { return h.num_vertices(); }),
-                             "v, the vertices, all finite.")
+                             "The number v of vertices, all of which are finite.")
       .def_property_readonly("num_facets", asking([](const Polyhedron& h) { return h.num_facets(); }),
-                             "f, the facets; also len().")
+                             "The number f of facets; also len().")
       .def("__len__", asking([](const Polyhedron& h) { return h.num_facets(); }))
       .def("_sample", &sample, "limit"_a)
       .def_property_readonly("columns", &HeldIntersection::columns,
-                             "As those of Delaunay, of the d+1 numbers of each halfspace.")
+                             "The labels of the columns of the DataFrame it was made of, d+1 in a tuple, or "
+                             "None; see `Delaunay.columns`.")
       .def_property_readonly("halfspaces", &rows_of<&Data::halfspaces, 1>,
-                             "(m, d+1) float64: all rows of the input, in their order.")
+                             "All input rows in their order, (m, d+1) float64.")
       .def_property_readonly(
           "interior_point", &interior_point,
-          "(d,) float64: the one given, or found (rounded); empty if the state is not 'full'.")
+          "The interior point, given or found (rounded), (d,) float64; empty if the state is not 'full'.")
       .def_property_readonly("witness", &list_of<&Data::witness>,
-                             "At most d+1 rows that have no interior point in common, increasing, if the "
-                             "state is not 'full': its "
-                             "proof.")
+                             "At most d+1 rows without a common interior point, increasing: the proof that "
+                             "the state is not 'full'.")
       .def_property_readonly(
           "axes", [](const HeldIntersection& h) { return py::tuple(py::cast(h.data()->axes)); },
-          "k coordinates onto which the normals project one-to-one, increasing: a tuple.")
-      .def_property_readonly("vertices", &rows_of<&Data::vertices>,
-                             "(v, d) float64, each coordinate the double nearest to the exact one.")
+          "The k coordinates onto which the normals project one-to-one, increasing, a tuple.")
+      .def_property_readonly(
+          "vertices", &rows_of<&Data::vertices>,
+          "The vertices, (v, d) float64, each coordinate the double nearest to the exact one.")
       .def_property_readonly("vertex_offsets", &offsets_of<&Data::vertex_offsets>,
-                             "(v+1,), see vertex_halfspaces.")
+                             "The offsets of `vertex_halfspaces`, (v+1,).")
       .def_property_readonly("vertex_halfspaces", &list_of<&Data::vertex_halfspaces>,
-                             text(vertex_halfspaces_doc))
+                             text(docs::halfspaces::vertex_halfspaces))
       .def_property_readonly(
           "directions", &rows_of<&Data::directions>,
-          "(r, d) float64, unit vectors: the extreme directions to infinity; none if bounded.")
+          "The extreme directions to infinity, (r, d) float64 unit vectors; none if bounded.")
       .def_property_readonly("direction_offsets", &offsets_of<&Data::direction_offsets>,
-                             "(r+1,), see direction_halfspaces.")
+                             "The offsets of `direction_halfspaces`, (r+1,).")
       .def_property_readonly("direction_halfspaces", &list_of<&Data::direction_halfspaces>,
-                             text(direction_halfspaces_doc))
+                             text(docs::halfspaces::direction_halfspaces))
       .def_property_readonly("edges", &pairs_of<&Data::edges>,
-                             "(e, 2) numbers of vertices, the smaller first: the bounded edges.")
+                             "The vertices of each bounded edge, (e, 2), the smaller number first.")
       .def_property_readonly("rays", &pairs_of<&Data::rays>,
-                             "(u, 2): the vertex and the direction of each unbounded edge.")
+                             "The vertex and the direction of each unbounded edge, (u, 2).")
       .def_property_readonly("facet_halfspaces", &list_of<&Data::facet_halfspaces>,
-                             "(f,) the row of each facet, increasing.")
+                             "The row of each facet, (f,), increasing.")
       .def_property_readonly("facet_offsets", &offsets_of<&Data::facet_offsets>,
-                             "(f+1,), see facet_vertices.")
-      .def_property_readonly("facet_vertices", &list_of<&Data::facet_vertices>, text(facet_vertices_doc))
+                             "The offsets of `facet_vertices`, (f+1,).")
+      .def_property_readonly("facet_vertices", &list_of<&Data::facet_vertices>,
+                             text(docs::halfspaces::facet_vertices))
       .def_property_readonly(
           "lineality", &rows_of<&Data::lineality>,
-          "(d-k, d) float64, unit vectors that span the lines in the intersection, rounded.")
+          "Unit vectors that span the lines in the intersection, (d-k, d) float64, rounded.")
       .def_property_readonly("first_of_halfspace", &list_of<&Data::first_of_halfspace>,
-                             "(m,) the first row that is the same halfspace, a positive multiple.")
-      .def_property_readonly(
-          "kinds", &kinds,
-          "(m,) uint8: 0 a facet, 1 redundant and touching, 2 redundant, 3 a duplicate of an earlier row, "
-          "4 no condition at all.")
-      .def_property_readonly("dual_points", &rows_of<&Data::dual_points>, text(dual_points_doc))
-      .def_property_readonly("dual_equations", &rows_of<&Data::dual_equations, 1>, text(dual_equations_doc))
+                             "The first row that is the same halfspace, a positive multiple, (m,).")
+      .def_property_readonly("kinds", &kinds, text(docs::halfspaces::kinds))
+      .def_property_readonly("dual_points", &rows_of<&Data::dual_points>,
+                             "The dual points -A / (A p + b) of the rows, p the interior point, (m, d) "
+                             "float64, rounded; 0 without a normal.")
+      .def_property_readonly("dual_equations", &rows_of<&Data::dual_equations, 1>,
+                             "The unit normal and offset of the facet of the dual points' hull for each "
+                             "vertex, (v, d+1) float64, rounded.")
       .def_property_readonly("volume", asking([](const Polyhedron& h) { return h.volume(); }),
-                             text(volume_doc))
+                             text(docs::halfspaces::volume))
       .def_property_readonly(
           "dual_volume", asking([](const Polyhedron& h) { return h.dual_volume(); }),
-          "The volume of the hull of the dual points (and of the origin, if unbounded). NaN for k < d.")
-      .def_property_readonly("dual_area", asking([](const Polyhedron& h) { return h.dual_area(); }),
-                             "The surface area of the same.")
+          "The volume of the hull of the dual points (and of the origin, if unbounded); NaN for k < d.")
+      .def_property_readonly(
+          "dual_area", asking([](const Polyhedron& h) { return h.dual_area(); }),
+          "The surface area of the hull of the dual points (and of the origin, if unbounded); NaN for k < d.")
       .def_property_readonly(
           "statistics",
           [](const HeldIntersection& h) {
             return as_dict(h.ask([](const Polyhedron& i) { return i.statistics(); }));
           },
-          text(statistics_doc))
+          text(docs::halfspaces::statistics))
       .def("_data",
            [](const HeldIntersection& h) {
              return to_python(h.ask([](const Polyhedron& p) { return p.to_data(); }));

@@ -2,6 +2,7 @@
 // delone.LowerHull.
 #include "arrays.hpp"
 #include "data_members.hpp"
+#include "docs_lower_hull.hpp"
 #include "docstring.hpp"
 #include "module.hpp"
 #include "pickling.hpp"
@@ -128,35 +129,11 @@ py::object find_simplex(const HeldLowerHull& held, const py::object& object) {
   return Queries::scalar_if_single(result);
 }
 
-constexpr const char* lower_hull_class_doc = R"(
-LowerHull(points, side='lower', *, tolerance=0.0, seed=0, order='automatic', threads=0, progress=None,
-          memory_limit=None, time_limit=None)
-
-The lower (or upper) part of the convex hull of points, (n, d), d >= 2, with respect to the last coordinate: the convex
-envelope of heights over compositions, as in phase diagrams. The first d-1 coordinates of a point are its composition,
-the last one is its height, an energy say.
-
-It consists of simplices of c+1 points, the cells, c the affine dimension of the compositions. Seen along the last axis
-they triangulate the domain, the hull of the compositions. Exact for all finite doubles; duplicates, flat compositions
-and points above the hull are ordinary input.
-
-tolerance, a height >= 0 with the unit of the last coordinate: if positive, the exact lower hull of so few of the points
-that none can be left out, over the same domain, such that no point is farther below it along the last axis. ValueError
-if it is negative, NaN, infinite, or larger than the range of the heights.
-
-Other arguments and errors as in Delaunay. Immutable; methods release the GIL. Cost: a convex hull of n+1 points.)";
-
-constexpr const char* height_above_doc = R"(
-The height of each point (..., d) above the hull along the last axis, (...): "energy above hull". The sign is exact: 0 only
-for points exactly on it, negative below it. The magnitude is off by no more than a relative 2^-36; magnitudes up to
-tolerance are 0, decided exactly. -inf (inf for an upper hull) outside the domain. InputError for NaN or infinity, ValueError for a tolerance that is negative or not finite.
-Cost: a walk over cells for each point.)";
-
 }  // namespace
 
 void bind_lower_hull(py::module_& module) {
   using Held = HeldLowerHull;
-  py::class_<Held> type(module, "LowerHull", text(lower_hull_class_doc));
+  py::class_<Held> type(module, "LowerHull", text(docs::lower_hull::hull));
   type.def(py::init([](const py::object& points, const std::string& side, double tolerance,
                        std::uint64_t seed, std::string order, int threads, const py::object& progress,
                        const py::object& memory_limit, const py::object& time_limit) {
@@ -171,60 +148,57 @@ void bind_lower_hull(py::module_& module) {
            "time_limit"_a = py::none());
   type.def_property_readonly(
           "dimension", [](const Held& h) { return h.hull().dimension(); },
-          "d >= 2, the number of coordinates of a point, its height included.")
+          "The number d >= 2 of coordinates of a point, its height included.")
       .def_property_readonly(
           "composition_dimension", [](const Held& h) { return h.hull().composition_dimension(); },
-          "c <= d-1, the affine dimension of the compositions; -1 without points.")
+          "The affine dimension c <= d-1 of the compositions; -1 without points.")
       .def_property_readonly(
           "composition_axes", [](const Held& h) { return py::tuple(py::cast(h.hull().composition_axes())); },
-          "c axes onto which the flat of the compositions projects one-to-one, increasing: a tuple.")
+          "The c axes onto which the flat of the compositions projects one-to-one, increasing, a tuple.")
       .def_property_readonly(
           "side", [](const Held& h) { return h.hull().side() == HullSide::lower ? "lower" : "upper"; },
-          "'lower' or 'upper'.")
+          "The side, 'lower' or 'upper'.")
       .def_property_readonly(
           "tolerance", [](const Held& h) { return h.hull().tolerance(); },
-          "The argument of the constructor; 0.0: the hull is exact.")
+          "The tolerance of the constructor; 0.0: the hull is exact.")
       .def_property_readonly(
           "max_distance", [](const Held& h) { return h.hull().max_distance(); },
-          "No point is farther outside than this along the last axis: a bound, at most `tolerance`.")
+          "A bound on the distance of points outside along the last axis; at most `tolerance`.")
       .def_property_readonly(
-          "num_points", [](const Held& h) { return h.hull().num_points(); }, "n, the rows of the input.")
+          "num_points", [](const Held& h) { return h.hull().num_points(); }, "The number n of input rows.")
       .def_property_readonly(
-          "num_cells", [](const Held& h) { return h.hull().num_cells(); }, "m, the simplices; also len().")
+          "num_cells", [](const Held& h) { return h.hull().num_cells(); },
+          "The number m of simplices; also len().")
       .def_property_readonly(
           "num_facets", [](const Held& h) { return h.hull().num_facets(); },
-          "f: cells in one hyperplane belong to one facet.")
+          "The number f of facets: cells in one hyperplane belong to one facet.")
       .def("__len__", [](const Held& h) { return h.hull().num_cells(); })
       .def_property_readonly(
           "points",
           [](const Held& h) {
             return rows_view(*h.points(), h.hull().num_points(), h.dimension(), h.points());
           },
-          "(n, d) float64: all rows of the input, in their order.")
+          "All input rows in their order, (n, d) float64.")
       .def_property_readonly(
           "cells", [](const Held& h) { return table(h, h.hull().cells()); },
-          "(m, c+1) input rows; positively oriented on `composition_axes`.")
+          "The vertices of each cell, (m, c+1) input rows; positively oriented on `composition_axes`.")
       .def_property_readonly(
           "neighbors", [](const Held& h) { return table(h, h.hull().neighbors()); },
-          "(m, c+1) cells: neighbor j is across the facet opposite vertex j; -1 at the border of the domain.")
+          "The neighbors of each cell, (m, c+1) cells: number j is opposite vertex j, -1 at the border of "
+          "the domain.")
       .def_property_readonly(
           "facet_of_cell", [](const Held& h) { return list(h, h.hull().facet_of_cell()); },
-          "(m,) numbers 0 ... f-1: the facet each cell is part of.")
+          "The facet of each cell, (m,).")
       .def_property_readonly(
           "vertices", [](const Held& h) { return list(h, h.hull().vertices()); },
           "The rows of the extreme points of this side (stable phases), increasing; of equal rows the first.")
-      .def("find_simplex", &find_simplex, "compositions"_a,
-           "The cell whose domain contains each composition (..., d-1), exactly: (...); -1 outside the "
-           "domain. "
-           "InputError for NaN or infinity. Cost: a walk over cells for each.")
-      .def("heights", &heights, "compositions"_a,
-           "The height of the hull over each composition (..., d-1), (...): off by no more than a rounding "
-           "and 2^-36 "
-           "of the range of the heights of the smallest face there. inf (-inf for an upper hull) outside the "
-           "domain. InputError for NaN or infinity. Cost: a walk over cells for each.")
+      .def("find_simplex", &find_simplex, "compositions"_a, text(docs::lower_hull::find_simplex))
+      .def("heights", &heights, "compositions"_a, text(docs::lower_hull::heights))
       .def("height_above", &height_above, "points"_a, py::kw_only(), "tolerance"_a = 0.0,
-           text(height_above_doc))
-      .def_property_readonly("columns", &Held::columns, "As those of Delaunay; queries have them, too.")
+           text(docs::lower_hull::height_above))
+      .def_property_readonly("columns", &Held::columns,
+                             "The labels of the columns of the DataFrame it was made of, a tuple, or None; "
+                             "queries must have them, too.")
       .def_property_readonly("_index", &Held::row_index)
       .def("_data",
            [](const Held& h) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone.NaturalNeighborInterpolator, for real and complex values of any shape, and delone.natural_neighbors.
+#include "docs_interpolation.hpp"
+#include "docstring.hpp"
 #include "held_function.hpp"
 #include "module.hpp"
 #include "pickling.hpp"
@@ -148,49 +150,11 @@ class HeldNaturalInterpolator : public HeldFunction<NaturalNeighborInterpolator>
   py::object given_gradients_;
 };
 
-constexpr const char* interpolator_doc =
-    "NaturalNeighborInterpolator(points, values, *, outside='fill', fill_value=nan, smooth=False, "
-    "gradients=None, tolerance=0)\n"
-    "\n"
-    "Natural neighbor interpolation (Sibson) in any dimension: at a query the sum of the values times\n"
-    "its Sibson coordinates, which are the parts that its Voronoi region would take from those of its\n"
-    "neighbors.\n"
-    "\n"
-    "points: (n, d), or a Delaunay triangulation of n points, to which no points may be added then.\n"
-    "values: (n, ...) real or complex; of equal points that of the first counts. At a point, the value\n"
-    "is the one given.\n"
-    "outside: what queries outside get, as for LinearInterpolator: fill_value ('fill'), the value at\n"
-    "the nearest vertex ('nearest'), an InputError that names one of them ('error'), or the value at\n"
-    "the nearest point of the hull ('project'). On the boundary of the hull only points of the same\n"
-    "face count: that is the limit from inside.\n"
-    "tolerance: a distance t >= 0. Which queries are outside is decided exactly, and with 0 none inside\n"
-    "is missed. A positive tolerance gives the value at a point x' within t of the query, that of\n"
-    "Delaunay.find_simplex. So slivers at the border, which rounding of the points has made, do not\n"
-    "answer for queries in them, nor for those just outside. In a thick cell x' is the query, and its\n"
-    "coordinates are exact: at a depth like the height of a sliver, points at its far ends may be\n"
-    "neighbors, and gradients across the border are huge. Elsewhere x' is moved by up to 1e-9 of the\n"
-    "way to the center of its cell, within t, so that slivers across the border have no part in it. In\n"
-    "tilted flats, which rounding leaves, the value there is linear in each cell. The value at a point\n"
-    "is still the one given. ValueError if t is negative, NaN or infinite.\n"
-    "smooth=False: continuous, linear functions are exact, and differentiable but at the points.\n"
-    "smooth=True: Sibson's interpolant, differentiable at the points, too, with the gradients there, of\n"
-    "shape (n, ..., d), given or estimated by least squares (n small triangulations). Exact for a + b·x\n"
-    "+ c·|x|² where the gradients are; estimated ones are, inside the hull.\n"
-    "\n"
-    "No coordinate is off by more than 2^-36 in up to 3 dimensions, 2^-30 in more; mostly 1e-15. The\n"
-    "centers of all cells are computed at once, d float64 each. A query in a batch takes some thirty\n"
-    "times as long as linear interpolation in the plane, a hundred times in space, and each further\n"
-    "dimension more than ten times as long: milliseconds in 5. On the boundary of the hull it takes two\n"
-    "to four times as long as inside, and in flat input four to ten times as long as in the space of\n"
-    "its dimension.\n"
-    "Raises delone.Error for a Regular or FurthestSite triangulation, and ValueError for values of\n"
-    "wrong shape.";
-
 }  // namespace
 
 void bind_natural_neighbors(py::module_& module) {
   using Held = HeldNaturalInterpolator;
-  py::class_<Held> bound(module, "NaturalNeighborInterpolator", interpolator_doc);
+  py::class_<Held> bound(module, "NaturalNeighborInterpolator", text(docs::interpolation::natural));
   bind_function(bound);
   bound
       .def(py::init([](const py::object& points, const py::object& values, const std::string& outside,
@@ -200,23 +164,12 @@ void bind_natural_neighbors(py::module_& module) {
            "points"_a, "values"_a, py::kw_only(), "outside"_a = "fill",
            "fill_value"_a = std::numeric_limits<double>::quiet_NaN(), "smooth"_a = false,
            "gradients"_a = py::none(), "tolerance"_a = 0.0)
-      .def("gradient", &Held::gradient, "queries"_a,
-           "The gradients at queries of shape (..., d): (...) + the shape of one value + (d,). At a point: "
-           "the "
-           "given or\n"
-           "estimated gradient there. On the boundary of the hull only the part along the face is meant. "
-           "Outside NaN, or 0\n"
-           "for outside='nearest'.")
-      .def("natural_neighbors", &Held::neighbors, "queries"_a,
-           "(indptr (q+1,) int64, rows, weights): as delone.natural_neighbors(), with the centers at hand. "
-           "With "
-           "a tolerance, or\n"
-           "outside='project', those of the point whose value a call gives.")
-      .def_property_readonly("smooth", &Held::is_smooth, "Whether it is differentiable at the points.")
-      .def_property_readonly(
-          "site_gradients", &Held::site_gradients,
-          "(n, ..., d) the gradients at the points, given or estimated. Without smooth=True "
-          "they are estimated with each use.")
+      .def("gradient", &Held::gradient, "queries"_a, text(docs::interpolation::natural_gradient))
+      .def("natural_neighbors", &Held::neighbors, "queries"_a, text(docs::interpolation::neighbors))
+      .def_property_readonly("smooth", &Held::is_smooth,
+                             "Whether the interpolant is differentiable at the points.")
+      .def_property_readonly("site_gradients", &Held::site_gradients,
+                             text(docs::interpolation::site_gradients))
       .def(py::pickle([](const Held& held) { return held.state(); },
                       [](const py::tuple& given) {
                         return from_state(given, 7, "an interpolator", [](const py::tuple& state) {
@@ -225,17 +178,8 @@ void bind_natural_neighbors(py::module_& module) {
                                                         state[6].cast<double>());
                         });
                       }));
-  module.def(
-      "natural_neighbors", &natural_neighbors, "points"_a, "queries"_a,
-      "natural_neighbors(points, queries)\n\n"
-      "(indptr (q+1,) int64, rows, weights): the natural neighbors of query i of (..., d), in C order, are "
-      "the rows\n"
-      "rows[indptr[i]:indptr[i+1]], increasing, and their Sibson coordinates the weights at the same "
-      "places: > 0, with\n"
-      "sum 1 up to rounding. The query is the sum of the points times these. At a point: that point. "
-      "Outside the convex\n"
-      "hull: none. points: (n, d), or a Delaunay triangulation. Accuracy and cost: see "
-      "NaturalNeighborInterpolator.");
+  module.def("natural_neighbors", &natural_neighbors, "points"_a, "queries"_a,
+             text(docs::interpolation::natural_neighbors));
 }
 
 }  // namespace delone::python

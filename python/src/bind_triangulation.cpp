@@ -4,6 +4,8 @@
 #include "arrays.hpp"
 #include "bind_edits.hpp"
 #include "data_members.hpp"
+#include "docs_triangulation.hpp"
+#include "docstring.hpp"
 #include "html.hpp"
 #include "module.hpp"
 #include "sample.hpp"
@@ -351,151 +353,95 @@ std::string repr(const Held& held) {
   });
 }
 
-constexpr const char* find_simplex_doc =
-    "The cell that contains each query: (...) for queries of shape (..., d); -1 outside.\n\n"
-    "Exact. A query on a face of several cells gets one of them. InputError for NaN or infinity. Cost: "
-    "queries "
-    "are\n"
-    "visited along a Hilbert curve, with a walk over a few cells for each.\n\n"
-    "tolerance: a distance t >= 0, in the units of the coordinates. If positive, the answer for a query x is "
-    "that of a\n"
-    "point x' at most t away. A cell is thick if every vertex is more than t from the affine hull of the "
-    "others. x' is\n"
-    "x at a vertex; the nearest point of all thick cells, if one is within t of x; otherwise x, if it is in "
-    "the "
-    "hull;\n"
-    "otherwise the nearest point of the hull, if it is within t of x. So slivers that rounding of the points "
-    "has made\n"
-    "answer only where nothing else is near, and points that rounding has moved across the boundary are "
-    "found. "
-    "For flat\n"
-    "points, queries within t of their flat count, too. ValueError if it is negative, NaN, infinite or "
-    "larger "
-    "than the set. Cost: nothing for\n"
-    "queries in thick cells; otherwise it depends on the number of cells within t.";
-
-constexpr const char* columns_doc =
-    "The labels of the columns of the pandas DataFrame that it was made of, a tuple; None if it was not. "
-    "DataFrames of further points, and of\n"
-    "queries, must have the same columns in the same order, or ValueError is raised.";
-
-constexpr const char* nearest_doc =
-    "(rows, distances), each (...): the input row of the point nearest to each query (..., d), and its "
-    "distance.\n\n"
-    "With k, each (..., k): the k nearest points, nearest first. Exact: of equally near points that with the "
-    "smallest row\n"
-    "comes first; of equal points only the first row counts. −1 and NaN where there are no more points. For "
-    "Regular: the\n"
-    "rows of least power |x − p|² − weight, and the powers. Not for FurthestSite. ValueError for k < 1. The "
-    "first call\n"
-    "makes a table of all edges; then a query takes O(k log k) comparisons for evenly spread points.";
-
 }  // namespace
 
 void bind_triangulations(py::module_& module) {
-  py::class_<Held, std::shared_ptr<Held>> base(
-      module, "Triangulation", "What Delaunay, Regular and FurthestSite share. k is the affine dimension.");
-  base.def_property_readonly("dimension", &Held::dimension, "d, the number of coordinates.")
+  py::class_<Held, std::shared_ptr<Held>> base(module, "Triangulation", text(docs::triangulation::base));
+  base.def_property_readonly("dimension", &Held::dimension, "The number d of coordinates.")
       .def_property_readonly(
           "affine_dimension",
           [](const Held& h) { return count(h, [](const Triangulation& t) { return t.affine_dimension(); }); },
-          "k, the dimension of the smallest flat that contains all points: k <= d; 0 for one distinct point, "
-          "-1 for none.")
+          "The dimension k <= d of the smallest flat that contains all points; 0 for one distinct point, -1 "
+          "for none.")
       .def_property_readonly(
           "axes",
           [](const Held& h) {
             return py::tuple(py::cast(ask(h, [](const Triangulation& t) { return t.axes(); })));
           },
-          "k coordinate axes onto which the flat of the points projects one-to-one, increasing.")
+          "The k coordinate axes onto which the flat of the points projects one-to-one, increasing, a tuple.")
       .def_property_readonly(
           "num_points",
           [](const Held& h) { return count(h, [](const Triangulation& t) { return t.num_points(); }); },
-          "The rows that are there.")
+          "The number of existing rows.")
       .def_property_readonly(
           "num_rows",
           [](const Held& h) { return count(h, [](const Triangulation& t) { return t.num_rows(); }); },
-          "n, the rows that were ever inserted. More than num_points if rows were removed: a row keeps its "
-          "number.")
+          text(docs::triangulation::num_rows))
       .def_property_readonly(
           "num_vertices",
           [](const Held& h) { return count(h, [](const Triangulation& t) { return t.num_vertices(); }); },
-          "Distinct points that are not hidden.")
+          "The number of distinct points that are not hidden.")
       .def_property_readonly(
           "num_duplicates",
           [](const Held& h) { return count(h, [](const Triangulation& t) { return t.num_duplicates(); }); },
-          "Rows that are equal to an earlier one.")
+          "The number of rows that are equal to an earlier one.")
       .def_property_readonly(
           "num_cells",
           [](const Held& h) { return count(h, [](const Triangulation& t) { return t.num_finite_cells(); }); },
-          "m, the number of cells.")
+          "The number m of cells.")
       .def(
           "__len__",
           [](const Held& h) { return count(h, [](const Triangulation& t) { return t.num_finite_cells(); }); })
       .def_property_readonly("points", &points_of,
-                             "(n, d) float64, read-only; NaN for rows that were removed. Made on first use.")
+                             "The points, (n, d) float64, read-only; NaN for removed rows.")
       .def_property_readonly(
           "cells",
           [](const Held& h) {
             const auto data = data_of(h);
             return rows_view(data->cells, data->num_cells(), width(*data), data);
           },
-          "(m, k+1) input rows, read-only. Positively oriented when k = d: counterclockwise in the plane.")
+          text(docs::triangulation::cells))
       .def_property_readonly(
           "neighbors",
           [](const Held& h) {
             const auto data = data_of(h);
             return rows_view(data->neighbors, data->num_cells(), width(*data), data);
           },
-          "(m, k+1) cells, read-only: neighbor j is across the facet opposite vertex j; -1 beyond the hull.")
+          "The neighbors of each cell, (m, k+1) cells: number j is opposite vertex j, -1 outside the hull.")
       .def_property_readonly(
           "vertex_of_point",
           [](const Held& h) {
             const auto data = data_of(h);
             return list_view(data->vertex_of_point, data);
           },
-          "(n,) the row each row was merged into: itself, or an earlier one that is equal; -1 if it is "
-          "hidden or was removed.")
+          text(docs::triangulation::vertex_of_point))
       .def_property_readonly("duplicates", &duplicates,
-                             "(r, 2) rows that are equal to an earlier one, and that one.")
-      .def_property_readonly("cell_of_point", &cell_of_point,
-                             "(n,) a cell that has each row as a vertex; -1 if it is hidden or was removed.")
+                             "The rows that are equal to an earlier one, and that one, (r, 2).")
       .def_property_readonly(
-          "hull_facets", &hull_facets,
-          "(h, k) input rows: the facets of cells without a neighbor. With a point inside put first they are "
-          "positively oriented when k = d > 1: counterclockwise as seen from outside in space.")
-      .def_property_readonly(
-          "vertex_neighbors", &vertex_neighbors,
-          "(indptr (n+1,) int64, indices): the rows joined to row i by an edge are "
-          "indices[indptr[i]:indptr[i+1]], increasing. Rows that are no vertices have none.")
+          "cell_of_point", &cell_of_point,
+          "A cell with each row as a vertex, (n,); -1 if the row is hidden or was removed.")
+      .def_property_readonly("hull_facets", &hull_facets, text(docs::triangulation::hull_facets))
+      .def_property_readonly("vertex_neighbors", &vertex_neighbors,
+                             text(docs::triangulation::vertex_neighbors))
       .def_property_readonly(
           "hash",
           [](const Held& h) {
             return ask(h, [&](const Triangulation& t) { return t.hash(h.threads()).hex(); });
           },
-          "32 hexadecimal digits that depend on the coordinates of the vertices and the set of cells only; "
-          "the command prints "
-          "the same. O(n d + m k).")
-      .def_property_readonly("statistics", &statistics,
-                             "What the construction has cost: a dict of counts, seconds and bytes.")
-      .def("find_simplex", &find_simplices, "queries"_a, py::kw_only(), "tolerance"_a = 0.0, find_simplex_doc)
+          text(docs::triangulation::hash))
+      .def_property_readonly("statistics", &statistics, text(docs::triangulation::statistics))
+      .def("find_simplex", &find_simplices, "queries"_a, py::kw_only(), "tolerance"_a = 0.0,
+           text(docs::triangulation::find_simplex))
       .def("locate", &locate, "queries"_a, py::kw_only(), "tolerance"_a = 0.0,
-           "Where each query (..., d) lies, exactly: delone.Locations, with the kind, the cell, and the rows "
-           "of the points "
-           "that\n"
-           "span the smallest face that contains it. tolerance: see find_simplex.")
+           text(docs::triangulation::locate))
       .def("barycentric", &barycentric, "queries"_a, py::kw_only(), "tolerance"_a = 0.0,
-           "(cells (...), weights (..., k+1)): the cell of each query, and its barycentric coordinates "
-           "there, >= 0 with sum "
-           "1.\n\n"
-           "A weight is 0 exactly if the query is on the facet opposite that vertex. -1 and NaN outside. "
-           "With a tolerance, see\n"
-           "find_simplex, they are those of the point x'.")
-      .def_property_readonly("columns", &Held::columns, columns_doc)
+           text(docs::triangulation::barycentric))
+      .def_property_readonly("columns", &Held::columns, text(docs::triangulation::columns))
       .def_property_readonly("_index", &Held::row_index)
       .def("_sample", &sample, "limit"_a)
       .def("_find_accepting", &find_accepting, "queries"_a, "transform"_a, "neighbors"_a, "tolerance"_a,
            "broad"_a, "radius"_a)
-      .def("nearest", &nearest, "queries"_a, "k"_a = py::none(), nearest_doc)
+      .def("nearest", &nearest, "queries"_a, "k"_a = py::none(), text(docs::triangulation::nearest))
       .def(
           "_data",
           [](const Held& h) { return to_python(ask(h, [](const Triangulation& t) { return t.to_data(); })); })

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Triangulation.trim and its result.
 #include "arrays.hpp"
+#include "docs_trim.hpp"
+#include "docstring.hpp"
 #include "module.hpp"
 #include "pickling.hpp"
 #include "triangulation.hpp"
@@ -91,41 +93,27 @@ HeldTrim restored_trim(const py::tuple& given) {
   });
 }
 
-constexpr const char* trim_doc = R"(
-The cells without those at the border that are so thin that every point of them is within tolerance, a distance, of
-what remains: a delone.TrimResult. The triangulation stays as it is.
-
-The depth of a cell is its height over its exposed facets, away from all of them, plus the greatest depth of these: 0
-on the hull, otherwise that of the cell that was removed there. The cell of least depth is removed, again and again,
-while its depth is at most tolerance; ties by the coordinates of the vertices. The last cell stays, and so does a cell
-all of whose facets are exposed. Heights are computed exactly and rounded up; the order of the rows does not matter.
-
-InputError for a tolerance that is negative, not finite, or larger than the longest side of the bounding box. Cost:
-O(m k d^2) for m cells, and integers for thin cells at the border.)";
-
 }  // namespace
 
 void bind_trim(py::module_& module) {
-  py::class_<HeldTrim>(module, "TrimResult", "What trim() leaves of a triangulation. Read-only.")
+  py::class_<HeldTrim>(module, "TrimResult", text(docs::trim::result))
       .def_property_readonly("cells", &HeldTrim::cells,
-                             "(m', k+1) input rows: the remaining cells, in their order.")
-      .def_property_readonly(
-          "neighbors", &HeldTrim::neighbors,
-          "(m', k+1) remaining cells: neighbor j is across the facet opposite vertex j; -1 beyond the "
-          "border.")
+                             "The remaining cells, (m', k+1) input rows, in their order.")
+      .def_property_readonly("neighbors", &HeldTrim::neighbors,
+                             "The neighbors of each cell, (m', k+1) remaining cells: number j is opposite "
+                             "vertex j, -1 at the border.")
       .def_property_readonly("kept", &HeldTrim::kept,
-                             "(m,) bool: whether each cell of the triangulation remains.")
+                             "Whether each cell of the triangulation remains, (m,) bool.")
       .def_property_readonly(
           "num_removed", [](const HeldTrim& r) { return r.result().num_removed; },
-          "How many cells were removed.")
+          "The number of removed cells.")
       .def_property_readonly(
           "orphans", &HeldTrim::orphans,
-          "The rows of vertices that no remaining cell has, increasing; rows merged into them are not "
-          "listed.")
+          "The rows of vertices without a remaining cell, increasing; rows merged into them are not listed.")
       .def_property_readonly(
           "depth", [](const HeldTrim& r) { return r.result().depth; },
-          "The largest depth of a removed cell, rounded up: all removed points are within it of what "
-          "remains.")
+          "The largest depth of a removed cell, rounded up: all removed points are within it of the "
+          "remaining cells.")
       .def_property_readonly(
           "lost_volume", [](const HeldTrim& r) { return r.result().lost_volume; },
           "The k-volume of the removed cells, rounded up.")
@@ -140,7 +128,7 @@ void bind_trim(py::module_& module) {
               [tolerance](const Triangulation& engine) { return HeldTrim(trim(engine, tolerance)); });
         });
       },
-      py::name("trim"), py::is_method(triangulation), trim_doc + 1, "tolerance"_a);
+      py::name("trim"), py::is_method(triangulation), text(docs::trim::trim), "tolerance"_a);
 }
 
 }  // namespace delone::python

@@ -2,6 +2,7 @@
 // delone.Voronoi and PowerDiagram.
 #include "arrays.hpp"
 #include "data_members.hpp"
+#include "docs_voronoi.hpp"
 #include "docstring.hpp"
 #include "html.hpp"
 #include "module.hpp"
@@ -173,130 +174,72 @@ std::string repr(const HeldDiagram& held, const char* name) {
          std::to_string(v.num_vertices()) + " vertices>";
 }
 
-constexpr const char* diagram_doc = R"(
-What Voronoi and PowerDiagram share.
-
-k is the affine dimension of the points: those of a k-flat have their diagram inside the flat. Which regions, ridges
-and vertices there are is exact, and then simplified by the tolerance, if it is not 0. In lists of vertices -1 stands for infinity. Index arrays are int32, and read-only as
-all arrays; lists of lists are (offsets, items): list i is items[offsets[i]:offsets[i+1]].
-
-tolerance, a distance >= 0, is for rounded points, whose slivers make vertices and ridges that the unrounded points do
-not have. Vertices become one of them, a representative, if each is within the tolerance of it and edges no longer than
-twice that connect them (common ridges for k > 3): there are no chains, and max_displacement tells how far one moved.
-Representatives are those of most ridges, ties by coordinates. Bounded ridges are gone if their width is at most the
-tolerance, before or after that: their length for k = 2, otherwise the least distance within which all vertices are
-from one of their facets (of the lines of their edges for k = 3). For k = 3, vertices in the middle of edges that this
-leaves straight within the tolerance are taken out, and vertices in no ridge are gone. Regions list the vertices of
-their ridges; a region whose ridges are all gone keeps its site and lists none. Unbounded ridges stay, unless
-their rays become one. All distances are upper bounds, rounding included; what is not certainly within the tolerance
-stays. Volumes are those of the exact regions, so they add up as before. The order of the rows does not matter.
-InputError for a tolerance that is negative, not finite, or larger than the longest side of the bounding box of the
-sites. Cost: a pass over the ridges, and the memory of the exact diagram if anything changed.)";
-
-constexpr const char* displacement_doc = R"(
-At least the largest distance of an exact vertex from the one that it became, and of a vertex taken out of straight
-edges from these, rounded up; at most the tolerance. 0 if nothing was merged.)";
-
-constexpr const char* vertices_doc = R"(
-(v, d) float64: the distinct centres of the cells' spheres, each coordinate the double nearest to the exact one;
-+-inf beyond the range of doubles.)";
-
-constexpr const char* ridge_vertices_doc = R"(
-The vertices of ridge i: ridge_vertices[ridge_offsets[i]:ridge_offsets[i+1]], -1 first if it is unbounded; in cyclic
-order for k = 3, counterclockwise about the direction between its sites when k = d; increasing for k > 3.)";
-
-constexpr const char* region_vertices_doc = R"(
-The vertices of region i: region_vertices[region_offsets[i]:region_offsets[i+1]], -1 first if it is unbounded; in cyclic
-order for k = 2, counterclockwise when k = d; otherwise increasing.)";
-
-constexpr const char* region_volumes_doc = R"(
-(regions,) float64: the k-volume of each region, infinite if unbounded; with box = (low, high), each (d,), the d-volume
-of what is inside the box. Rounded, with a relative error of about 1e-15 times the shape's condition. InputError for
-a box that is not of finite numbers low < high, and unsupported for d > 12 or furthest sites. Cost: O(output) for
-k <= 3; beyond, at most (k-1)! simplices for each cell and ridge; regions that the box cuts one by one.)";
-
-constexpr const char* voronoi_doc = R"(
-Voronoi(points, tolerance=0.0)
-
-The Voronoi diagram of points, (n, d), or of a Delaunay triangulation: for each distinct point the region that is not
-nearer to any other; of a FurthestSite triangulation, the regions that are not further from any other.
-
-Regions are numbered by the first rows of their sites. That cells have a vertex in common is decided exactly. Data of
-its own, which does not change when points are added to the triangulation. Errors of points as in Delaunay; TypeError
-for a Regular triangulation. Cost: a solve of k equations for each cell, and the size of the output.)";
-
-constexpr const char* power_doc = R"(
-PowerDiagram(points, weights=None, tolerance=0.0)
-
-The power diagram of points, (n, d), with weights, (n,), or of a Regular triangulation: as Voronoi, with the power
-|x - p|^2 - weight in place of the squared distance. Weights have the unit of squared lengths. Hidden points have no
-region, and a region need not contain its site. TypeError for another triangulation.)";
-
 }  // namespace
 
 void bind_voronoi(py::module_& module) {
-  py::class_<HeldDiagram> base(module, "Diagram", text(diagram_doc));
+  py::class_<HeldDiagram> base(module, "Diagram", text(docs::voronoi::diagram));
   base.def_property_readonly(
           "dimension", [](const HeldDiagram& h) { return h.diagram().dimension(); },
-          "d >= 1, the number of coordinates of a point.")
+          "The number d >= 1 of coordinates of a point.")
       .def_property_readonly(
           "affine_dimension", [](const HeldDiagram& h) { return h.diagram().affine_dimension(); },
-          "k <= d, of the smallest flat that contains all points; -1 for none.")
+          "The dimension k <= d of the smallest flat that contains all points; -1 for none.")
       .def_property_readonly(
           "tolerance", [](const HeldDiagram& h) { return h.diagram().tolerance(); },
-          "What the diagram was made with, see Diagram.")
+          "The tolerance of the constructor.")
       .def_property_readonly(
           "max_displacement", [](const HeldDiagram& h) { return h.diagram().max_displacement(); },
-          text(displacement_doc))
+          text(docs::voronoi::displacement))
       .def_property_readonly(
           "num_points", [](const HeldDiagram& h) { return h.diagram().num_points(); },
-          "n, the rows of the input.")
+          "The number n of input rows.")
       .def_property_readonly(
           "num_vertices", [](const HeldDiagram& h) { return h.diagram().num_vertices(); },
-          "v, the distinct vertices, infinity not counted.")
+          "The number v of distinct vertices, infinity not counted.")
       .def_property_readonly(
           "num_regions", [](const HeldDiagram& h) { return h.diagram().num_regions(); },
-          "How many regions: one for each site.")
+          "The number of regions, one for each site.")
       .def_property_readonly(
           "num_ridges", [](const HeldDiagram& h) { return h.diagram().num_ridges(); },
-          "r, the ridges: facets between two regions.")
+          "The number r of ridges, the facets between two regions.")
       .def_property_readonly(
           "num_rays", [](const HeldDiagram& h) { return h.diagram().num_rays(); },
-          "How many unbounded edges.")
-      .def_property_readonly("columns", &HeldDiagram::columns, "Those of the triangulation, see Delaunay.")
+          "The number of unbounded edges.")
+      .def_property_readonly(
+          "columns", &HeldDiagram::columns,
+          "The labels of the columns of the triangulation, a tuple, or None; see `Delaunay.columns`.")
       .def_property_readonly("_index", &HeldDiagram::row_index)
-      .def_property_readonly("points", &HeldDiagram::points,
-                             "(n, d) float64: all rows of the input, in their order.")
+      .def_property_readonly("points", &HeldDiagram::points, "All input rows in their order, (n, d) float64.")
       .def_property_readonly(
           "vertices",
           [](const HeldDiagram& h) {
             return h.rows(h.diagram().vertices(), h.diagram().num_vertices(), h.dimension());
           },
-          text(vertices_doc))
+          text(docs::voronoi::vertices))
       .def_property_readonly(
           "ridge_points",
           [](const HeldDiagram& h) {
             return h.rows(h.diagram().ridge_points(), h.diagram().num_ridges(), 2);
           },
-          "(r, 2) the rows of the two sites of each ridge: it lies in their bisector.")
+          "The rows of the two sites of each ridge, (r, 2); the ridge lies in their bisector.")
       .def_property_readonly(
           "ridge_vertices", [](const HeldDiagram& h) { return h.list(h.diagram().ridge_vertices()); },
-          text(ridge_vertices_doc))
+          text(docs::voronoi::ridge_vertices))
       .def_property_readonly(
           "ridge_offsets", [](const HeldDiagram& h) { return h.list(h.diagram().ridge_offsets()); },
-          "(r+1,) int64, see ridge_vertices.")
+          "The offsets of `ridge_vertices`, (r+1,) int64.")
       .def_property_readonly(
           "region_vertices", [](const HeldDiagram& h) { return h.list(h.diagram().region_vertices()); },
-          text(region_vertices_doc))
+          text(docs::voronoi::region_vertices))
       .def_property_readonly(
           "region_offsets", [](const HeldDiagram& h) { return h.list(h.diagram().region_offsets()); },
-          "(regions+1,) int64, see region_vertices.")
+          "The offsets of `region_vertices`, (regions+1,) int64.")
       .def_property_readonly(
           "region_points", [](const HeldDiagram& h) { return h.list(h.diagram().region_points()); },
-          "(regions,) the first row at the site of each region, increasing.")
+          "The first row at the site of each region, (regions,), increasing.")
       .def_property_readonly(
           "point_region", [](const HeldDiagram& h) { return h.list(h.diagram().point_region()); },
-          "(n,) the region of each row; -1 for a hidden point.")
+          "The region of each row, (n,); -1 for a hidden point.")
       .def_property_readonly(
           "is_bounded",
           [](const HeldDiagram& h) {
@@ -305,13 +248,13 @@ void bind_voronoi(py::module_& module) {
               bounded.mutable_data()[i] = h.diagram().is_bounded(i);
             return bounded;
           },
-          "(regions,) bool: whether each region is bounded.")
+          "Whether each region is bounded, (regions,) bool.")
       .def_property_readonly(
           "ray_vertices", [](const HeldDiagram& h) { return h.list(h.diagram().ray_vertices()); },
-          "The vertex that each unbounded edge starts from.")
+          "The vertex from which each unbounded edge starts, (rays,).")
       .def_property_readonly(
           "ray_directions", &HeldDiagram::ray_directions,
-          "(rays, d) unit vectors away from the vertex: outward, of furthest sites inward.")
+          "The direction of each unbounded edge, (rays, d) unit vectors: outward, for furthest sites inward.")
       .def_property_readonly(
           "ray_points",
           [](const HeldDiagram& h) {
@@ -319,19 +262,19 @@ void bind_voronoi(py::module_& module) {
             return h.rows(h.diagram().ray_points(), rays,
                           rays == 0 ? 0 : h.diagram().ray_points().size() / rays);
           },
-          "(rays, k) the rows of the hull facet that each unbounded edge is dual to.")
+          "The rows of the hull facet to which each unbounded edge is dual, (rays, k).")
       .def(
           "ridge",
           [](const HeldDiagram& h, py::ssize_t i) {
             return h.list(h.diagram().ridge(checked("ridge", i, h.diagram().num_ridges())));
           },
-          "i"_a, "The vertices of ridge i, see ridge_vertices. IndexError unless 0 <= i < num_ridges.")
+          "i"_a, text(docs::voronoi::ridge))
       .def(
           "region",
           [](const HeldDiagram& h, py::ssize_t i) {
             return h.list(h.diagram().region(checked("region", i, h.diagram().num_regions())));
           },
-          "i"_a, "The vertices of region i, see region_vertices. IndexError unless 0 <= i < num_regions.")
+          "i"_a, text(docs::voronoi::region))
       .def("_to_html", &html_of_diagram, "title"_a, "columns"_a, "values"_a, "values_at"_a, "value_name"_a,
            "box"_a)
       .def_property_readonly("_is_furthest", &HeldDiagram::is_furthest)
@@ -341,26 +284,23 @@ void bind_voronoi(py::module_& module) {
              return to_python(supervisor.run([&] { return h.data(); }));
            })
       .def("_save", &save, "path"_a, "format"_a, "qhull"_a, "columns"_a, "box"_a)
-      .def("region_volumes", &region_volumes, "box"_a = py::none(), text(region_volumes_doc))
+      .def("region_volumes", &region_volumes, "box"_a = py::none(), text(docs::voronoi::region_volumes))
       .def(
           "ridge_volumes",
           [](const HeldDiagram& h) {
             Supervisor supervisor;
             return list_view(supervisor.run([&] { return h.diagram().ridge_volumes(h.threads()); }));
           },
-          "(r,) float64: the (k-1)-volume of each ridge, infinite if unbounded, 1 for k = 1. Rounded.")
+          text(docs::voronoi::ridge_volumes))
       .def(
           "bounding_box",
           [](const HeldDiagram& h, double margin) {
             Box box = h.diagram().bounding_box(margin);
             return py::make_tuple(list_view(std::move(box.low)), list_view(std::move(box.high)));
           },
-          "margin"_a = 0.1,
-          "(low, high), each (d,): the box of the sites, enlarged on each side by margin >= 0 times its "
-          "longest side "
-          "(by 1 if that is 0).");
+          "margin"_a = 0.1, text(docs::voronoi::bounding_box));
 
-  py::class_<HeldVoronoi, HeldDiagram>(module, "Voronoi", text(voronoi_doc))
+  py::class_<HeldVoronoi, HeldDiagram>(module, "Voronoi", text(docs::voronoi::voronoi))
       .def(py::init([](const py::object& points, double tolerance) {
              const py::object source = py::isinstance<HeldTriangulation>(points)
                                            ? points
@@ -374,7 +314,7 @@ void bind_voronoi(py::module_& module) {
       .def("__repr__", [](const HeldVoronoi& h) { return repr(h, "Voronoi"); })
       .def("__reduce__", [](const py::object& self) { return self.cast<const HeldVoronoi&>().recipe(self); });
 
-  py::class_<HeldPower, HeldDiagram>(module, "PowerDiagram", text(power_doc))
+  py::class_<HeldPower, HeldDiagram>(module, "PowerDiagram", text(docs::voronoi::power))
       .def(py::init([](const py::object& points, const py::object& weights, double tolerance) {
              const py::object source = py::isinstance<HeldTriangulation>(points)
                                            ? points
@@ -385,7 +325,7 @@ void bind_voronoi(py::module_& module) {
              return std::make_unique<HeldPower>(source, tolerance);
            }),
            "points"_a, "weights"_a = py::none(), "tolerance"_a = 0.0)
-      .def_property_readonly("weights", &HeldDiagram::weights, "(n,) float64: the weight of each row.")
+      .def_property_readonly("weights", &HeldDiagram::weights, "The weight of each row, (n,) float64.")
       .def("__repr__", [](const HeldPower& h) { return repr(h, "PowerDiagram"); })
       .def("__reduce__", [](const py::object& self) { return self.cast<const HeldPower&>().recipe(self); });
 }

@@ -127,16 +127,16 @@ void bind_errors(py::module_& module) {
   const auto builtin = [](PyObject* type) { return py::reinterpret_borrow<py::object>(type); };
   Types& t = types();
   t.base = make(module, "Error", py::make_tuple(builtin(PyExc_Exception)),
-                "Whatever the library cannot do. `rows`: the rows of the input concerned, a list.");
+                "Base of all errors of delone. `rows` lists the input rows concerned, if any.");
   t.base.attr("rows") = py::tuple();
   t.input = make(module, "InputError", py::make_tuple(t.base, builtin(PyExc_ValueError)),
-                 "Input or an argument that can have no result, such as NaN.");
+                 "Input or an argument without a result, such as NaN; also a ValueError.");
   t.memory = make(module, "OutOfMemoryError", py::make_tuple(t.base, builtin(PyExc_MemoryError)),
-                  "Not enough memory, or memory_limit was reached.");
+                  "Not enough memory, or `memory_limit` was reached; also a MemoryError.");
   t.time_limit = make(module, "TimeLimitError", py::make_tuple(t.base, builtin(PyExc_TimeoutError)),
-                      "time_limit was reached.");
+                      "The call reached `time_limit`; also a TimeoutError.");
   t.cancelled = make(module, "CancelledError", py::make_tuple(t.base),
-                     "The progress function returned False, or what counts as false.");
+                     "The progress function returned a false value other than None.");
   py::register_exception_translator(translate);
 }
 

@@ -4,6 +4,8 @@
 #pragma once
 
 #include "arrays.hpp"
+#include "docs_interpolation.hpp"
+#include "docstring.hpp"
 #include "messages.hpp"
 #include "triangulation.hpp"
 
@@ -205,14 +207,11 @@ class HeldFunction {
 /// The members that all interpolators have.
 template <class Held>
 void bind_function(py::class_<Held>& bound) {
-  bound
-      .def("__call__", &Held::evaluate, py::arg("queries"),
-           "The values at queries of shape (..., d), in the shape (...) followed by that of one value; "
-           "float64 or complex128.")
-      .def_property_readonly("triangulation", &Held::source, "The triangulation.")
+  bound.def("__call__", &Held::evaluate, py::arg("queries"), text(docs::interpolation::call))
+      .def_property_readonly("triangulation", &Held::source, "The triangulation of the points.")
       .def_property_readonly("values", &Held::values,
-                             "(n, ...) the values, float64 or complex128, read-only.")
-      .def_property_readonly("tolerance", &Held::tolerance, "The tolerance.")
+                             "The values, (n, ...) float64 or complex128, read-only.")
+      .def_property_readonly("tolerance", &Held::tolerance, "The tolerance of the constructor.")
       .def("__repr__", &Held::repr);
 }
 

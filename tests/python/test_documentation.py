@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Stubs and docstrings: all names are there, with the same arguments, and each says what it is."""
 import ast
+import doctest
+import functools
 import inspect
 import pathlib
 import re
@@ -112,6 +114,68 @@ def test_everything_public_of_the_layers_has_a_docstring(module, name):
     for member, value in vars(described).items():
         if not member.startswith("_") and callable(value):
             assert value.__doc__, f"{name}.{member}"
+
+
+# Codes of numpydoc's validator that do not apply.
+NOT_APPLICABLE = {
+    "GL01": "how a docstring begins in its source; compiled ones have none",
+    "GL02": "how it ends there",
+    "ES01": "a property or a short method needs no more than its summary",
+    "SA01": "other names are listed only if they help",
+    "EX01": "classes and the main functions have examples: see below",
+}
+# Functions that have examples; classes all have, but exceptions and bases.
+WITH_EXAMPLES = ["delone.check", "delone.convex_hulls", "delone.estimate", "delone.forecast", "delone.generate", "delone.interpolate.griddata",
+                 "delone.lower_hull", "delone.natural_neighbors", "delone.patch_scipy", "delone.read", "delone.spatial.tsearch",
+                 "delone.tiles.make_tiles", "delone.write_points"]
+
+
+def described():
+    """(name, object) of every public class, function, method and property, and of __call__."""
+    for module in (delone, spatial, interpolate, tiles):
+        for name in (name for name in module.__all__ if not name.startswith("__")):
+            thing = getattr(module, name)
+            yield f"{module.__name__}.{name}", thing
+            for member, value in inspect.getmembers(thing) if inspect.isclass(thing) else ():
+                owner = next(base for base in thing.__mro__ if member in vars(base) or base is object)
+                is_call = member == "__call__" and inspect.isfunction(value)
+                is_public = not member.startswith("_") and (callable(value) or isinstance(value, (property, functools.cached_property)))
+                if (is_call or is_public) and owner.__module__.startswith("delone"):
+                    yield f"{module.__name__}.{name}.{member}", value
+
+
+DESCRIBED = dict(described())
+CLASSES = [name for name, thing in DESCRIBED.items() if inspect.isclass(thing) and not issubclass(thing, Exception) and thing is not delone.Data]
+
+
+@pytest.mark.parametrize("name", sorted(DESCRIBED))
+def test_docstrings_are_in_the_form_of_numpydoc(name):
+    validate = pytest.importorskip("numpydoc.validate").validate
+    thing = DESCRIBED[name]
+    apart = {"PR01"} if inspect.isclass(thing) and issubclass(thing, Exception) else set()  # the arguments of exceptions are those of Python's
+    errors = [error for error in validate(name)["errors"] if error[0] not in NOT_APPLICABLE and error[0] not in apart]
+    assert not errors
+
+
+@pytest.mark.parametrize("name", [*CLASSES, *WITH_EXAMPLES])
+def test_classes_and_main_functions_have_examples(name):
+    assert "\n>>> " in inspect.getdoc(DESCRIBED[name])
+
+
+@pytest.mark.parametrize("name", sorted(name for name, thing in DESCRIBED.items() if ">>> " in (inspect.getdoc(thing) or "")))
+def test_examples_of_docstrings(name):
+    if name in ("delone.patch_scipy", "delone.interpolate.griddata"):
+        pytest.importorskip("scipy")
+    example = doctest.DocTestParser().get_doctest(inspect.getdoc(DESCRIBED[name]), {}, name, None, 0)
+    said = []
+    assert doctest.DocTestRunner().run(example, out=said.append).failed == 0, "".join(said)
+
+
+def test_statistics_have_the_documented_keys():
+    products = [delone.Delaunay([[0, 0], [1, 0], [0, 1]]), delone.ConvexHull([[0, 0], [1, 0], [0, 1]]), delone.HalfspaceIntersection([[1, -1], [-1, 0]])]
+    for product in products:
+        text = inspect.getdoc(type(product).statistics)
+        assert set(re.findall(r"`(\w+)`", text)) == product.statistics.keys()
 
 
 def test_scipy_and_matplotlib_are_not_imported():
