@@ -38,9 +38,10 @@ void BuildOptions::add_qhull(CLI::App& command, const std::string& program, cons
 }
 
 void BuildOptions::add_limits(CLI::App& command, const std::string& what, const std::string& beyond) {
-  add_size(command, "--memory", memory, "The most memory to use, as 2G: beyond it " + beyond);
-  add_duration(command, "--time", time,
-               "The most time to build " + what + ", as 90 (seconds), 10m or 2h: beyond it the command ends");
+  add_size(command, "--memory", memory, "The most memory to use, such as 2G: beyond it " + beyond);
+  add_duration(
+      command, "--time", time,
+      "The most time to build " + what + ", such as 90 (seconds), 10m or 2h: beyond it the command ends");
   command.add_flag("-q,--quiet", quiet, "No progress bar, no notes");
 }
 
@@ -57,7 +58,7 @@ void BuildOptions::add_construction(CLI::App& command, const std::string& what, 
 void add_threads(CLI::App& command, unsigned& threads) {
   command
       .add_option("--threads", threads,
-                  "At most this many threads; 0: as many as there are cores, where they gain")
+                  "The most threads to use; 0: one per core if the work is large enough")
       ->check(CLI::Range(0, 65536));
 }
 

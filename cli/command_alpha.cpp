@@ -126,10 +126,10 @@ Run add_alpha(CLI::App& app) {
   auto options = std::make_shared<AlphaCommandOptions>();
   options->weighted.add_to(app, false);
   app.add_option("--radius", options->radius,
-                 "Which faces: those with an empty sphere of at most this radius")
+                 "The radius: take the faces with an empty sphere of at most this radius")
       ->type_name("R");
   app.add_option("--squared-radius", options->squared_radius,
-                 "Instead of --radius its square, which may be negative with weights")
+                 "The square of the radius instead; may be negative with weights")
       ->type_name("S");
   app.add_flag("--boundary", options->boundary,
                "Write the facets that enclose the cells, oriented outward, instead of the cells");

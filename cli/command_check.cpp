@@ -205,11 +205,11 @@ Run add_check(CLI::App& app) {
       ->check(CLI::IsMember(readable_complex_formats()));
   app.add_option("--level", options->level, "The highest level to check; all, if not given")
       ->check(CLI::Range(1, 6));
-  app.add_flag("--canonical", options->canonical, "Require also the choice among ties that delone makes");
+  app.add_flag("--canonical", options->canonical, "Also require that ties are broken as delone breaks them");
   app.add_flag("--any-orientation", options->any_orientation,
                "Take cells as sets of vertices, as Qhull and SciPy write them: their order means nothing");
   app.add_flag("--furthest-site", options->furthest_site,
-               "Require that no point is outside the sphere of a cell; points that are not extreme are no "
+               "Require that no point is outside the sphere of a cell; points that are not extreme are not "
                "vertices");
   app.add_option("--points", options->points.path,
                  "Take the points from this file instead; with a folder of tiles, compare with them")

@@ -130,14 +130,14 @@ Run add_delaunay(CLI::App& app) {
   options->build.add_output(app, "the triangulation", complex_formats());
   options->build.add_qhull(app, "qdelaunay Qt", "o p i Fv Fx Fn FA FS");
   app.add_option("--trim", options->trim,
-                 "Leave cells at the border out that are within this distance of what remains")
+                 "Remove cells at the border that are within this distance of the remaining ones")
       ->type_name("DISTANCE")
       ->excludes("--qhull");
   add_threads(app, options->build.threads);
   app.add_flag("--furthest-site", options->furthest_site,
-               "The furthest-site triangulation: spheres that have all points inside, instead of none");
+               "The furthest-site triangulation: no point is outside the sphere of a cell");
   app.add_flag("--runtime-dimension", options->runtime_dimension,
-               "Use the engine that is not compiled for one dimension");
+               "Use the engine for any dimension instead of a compiled one");
   options->build.add_construction(app, "the triangulation", TilesInput::beyond_memory);
   options->tiles.add_to(app);
   return [options, &app] {

@@ -92,16 +92,16 @@ int run_forecast(const ForecastCommand& options, const CLI::App& app) {
 
 Run add_forecast(CLI::App& app) {
   auto options = std::make_shared<ForecastCommand>();
-  options->input.add_to(app, "IN", "Points: a file, or - for standard input; without it -d and -n tell");
+  options->input.add_to(app, "IN",
+                        "Points: a file, or - for standard input; or leave it out and give -d and -n");
   app.get_option("IN")->required(false);
   app.add_option("-d,--dimension", options->dimension, "Coordinates per point")
       ->check(CLI::Range(1, 1000000));
-  app.add_option("-n,--points", options->count, "How many points, as 1000 or 1e6")->type_name("N");
+  app.add_option("-n,--points", options->count, "The number of points, such as 1000 or 1e6")->type_name("N");
   std::vector<std::string> names;
   for (const PointSetKind& kind : point_set_kinds()) names.emplace_back(kind.name);
   app.add_option("--kind", options->kind,
-                 "What points, as 'delone generate --help' lists them; uniform ones "
-                 "if not given")
+                 "The kind of points, see 'delone generate --help'; uniform if not given")
       ->type_name("KIND")
       ->check(CLI::IsMember(names).description(""));
   add_threads(app, options->threads);

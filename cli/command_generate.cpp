@@ -59,14 +59,14 @@ Run add_generate(CLI::App& app) {
     names.emplace_back(kind.name);
     footer += fmt::format("  {:<14}{}\n", kind.name, kind.description);
   }
-  app.add_option("KIND", options->kind, "What points; the kinds are listed below")
+  app.add_option("KIND", options->kind, "The kind of points, listed below")
       ->required()
       ->type_name("")
       ->check(CLI::IsMember(names).description(""));
   app.add_option("-d,--dimension", options->dimension, "Coordinates per point")
       ->required()
       ->check(CLI::Range(1, 1000000));
-  app.add_option("-n,--points", options->count, "How many points, as 1000 or 1e6")
+  app.add_option("-n,--points", options->count, "The number of points, such as 1000 or 1e6")
       ->required()
       ->type_name("N");
   add_seed(app, options->seed, "Seed: the same arguments make the same points everywhere");

@@ -212,20 +212,20 @@ Run add_hull(CLI::App& app) {
   options->build.add_qhull(app, "qconvex", "o n p i Fv Fx Fn FA FS");
   CLI::Option* lower =
       app.add_flag("--lower", options->lower,
-                   "Only the facets that look down along the last coordinate, which may be the energy of a "
-                   "composition; leave one out of fractions that sum to 1")
+                   "Only the facets that face down along the last coordinate, which may be the energy of a "
+                   "composition; if fractions sum to 1, leave one out")
           ->excludes("--qhull");
-  app.add_flag("--upper", options->upper, "Only the facets that look up along the last coordinate")
+  app.add_flag("--upper", options->upper, "Only the facets that face up along the last coordinate")
       ->excludes(lower)
       ->excludes("--qhull");
   app.add_option("--distances", options->distances,
-                 "With --lower or --upper: write how far each point is above the hull, along the last "
+                 "With --lower or --upper: write the height of each point above the hull, along the last "
                  "coordinate; up to "
                  "--tolerance it is 0")
       ->type_name("FILE");
   app.add_option(
       "--tolerance", options->tolerance,
-      "Keep so few points that no other is farther outside of their hull than this (with --lower or "
+      "Keep only points such that no other is farther outside their hull than this (with --lower or "
       "--upper: along the last coordinate)");
   options->build.add_construction(app, "the hull");
   add_threads(app, options->build.threads);

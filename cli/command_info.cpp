@@ -203,9 +203,8 @@ int run_info(const InfoOptions& options) {
 
 Run add_info(CLI::App& app) {
   auto options = std::make_shared<InfoOptions>();
-  app.add_option(
-         "FILE", options->input.path,
-         "Points, or whatever delone writes, a folder of tiles included; - for points from standard input")
+  app.add_option("FILE", options->input.path,
+                 "Points, or any output of delone, also a folder of tiles; - for points from standard input")
       ->required()
       ->type_name("");
   std::vector<std::string> formats = point_formats();

@@ -237,13 +237,12 @@ int run_interpolate(InterpolateOptions options) {
 Run add_interpolate(CLI::App& app) {
   auto options = std::make_shared<InterpolateOptions>();
   options->input.add_to(app, "IN", "Points with values: a file, or - for standard input");
-  app.add_option(
-         "--values", options->values,
-         "What is interpolated: columns of IN, by name, number from 0 or range, or a file with a row per "
-         "point")
+  app.add_option("--values", options->values,
+                 "The values: columns of IN, by name, number from 0 or range, or a file with a row per "
+                 "point")
       ->required()
       ->type_name("COLUMN,...|FILE");
-  add_queries(app, options->queries, "Where values are wanted: a file, or -");
+  add_queries(app, options->queries, "The query points: a file, or -");
   app.add_option("--method", options->method,
                  "linear in each cell, natural neighbors (Sibson), or the value of the nearest point")
       ->check(CLI::IsMember({"linear", "natural", "nearest"}));
@@ -251,7 +250,8 @@ Run add_interpolate(CLI::App& app) {
                "natural: differentiable at the points, too, by estimated gradients");
   std::vector<std::string> names;
   for (const auto& [name, unused] : outsides) names.emplace_back(name);
-  app.add_option("--outside", options->outside, "What queries outside the convex hull get; fill if not given")
+  app.add_option("--outside", options->outside,
+                 "The value of queries outside the convex hull; fill if not given")
       ->check(CLI::IsMember(names));
   app.add_option("--fill", options->fill, "The value of --outside fill; nan if not given")->type_name("X");
   app.add_option("--tolerance", options->tolerance,
@@ -268,7 +268,7 @@ Run add_interpolate(CLI::App& app) {
   add_threads(app, options->build.threads);
   options->build.add_construction(app);
   app.footer(
-      "What --outside gives: fill, a constant; nearest, the value of the nearest point; project, the value "
+      "Values of --outside: fill, a constant; nearest, the value of the nearest point; project, the value "
       "at the "
       "nearest\n"
       "point of the hull; error, exit status 2. Which cell a query is in is decided exactly. `nan` is null "

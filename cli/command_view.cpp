@@ -138,7 +138,7 @@ Run add_view(CLI::App& app) {
   auto options = std::make_shared<ViewOptions>();
   options->build.output = "-";
   app.add_option("FILE", options->input.path,
-                 "Points, or whatever delone writes but a folder of tiles; - for points from standard input")
+                 "Points, or any output of delone except a folder of tiles; - for points from standard input")
       ->required()
       ->type_name("");
   std::vector<std::string> formats = point_formats();
@@ -157,18 +157,19 @@ Run add_view(CLI::App& app) {
          "cell, region or facet")
       ->type_name("COLUMN|FILE");
   app.add_option("--box", options->box,
-                 "Cut a Voronoi or power diagram off at this box: all lower limits, then all upper ones; a "
+                 "Clip a Voronoi or power diagram to this box: all lower limits, then all upper ones; a "
                  "box around the "
                  "points if not "
                  "given")
       ->delimiter(',')
       ->type_name("LOW,...,HIGH,...");
-  app.add_option("--title", options->title, "Of the page; the name of FILE if not given")->type_name("TEXT");
+  app.add_option("--title", options->title, "The title of the page; the name of FILE if not given")
+      ->type_name("TEXT");
   add_force(app, options->build.force);
   options->build.add_limits(app, "what is shown");
   add_max_stream(app, options->input.options.max_stream_bytes);
   add_threads(app, options->build.threads);
-  app.footer("The page needs nothing else, and no network.");
+  app.footer("The page is self-contained and needs no network.");
   return [options] { return run_view(*options); };
 }
 

@@ -36,7 +36,7 @@ void on_grace_over() {
   const Stage stage = stage_now.load();
   if (stage == Stage::writing) return;
   if (stage == Stage::tiling)
-    system::write_error("delone: interrupted; the same command goes on with the folder\n");
+    system::write_error("delone: interrupted; the same command continues with the folder\n");
   std::_Exit(128 + signal_caught.load());
 }
 

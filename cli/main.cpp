@@ -195,29 +195,29 @@ int run(int argc, char** argv) {
   add("halfspaces", "Intersect halfspaces", add_halfspaces,
       {"printf '1 0 -1\\n-1 0 -1\\n0 1 -1\\n0 -1 -1\\n' > square.txt",
        "delone halfspaces square.txt -o square.json"});
-  add("voronoi", "Make the Voronoi diagram of points", add_voronoi,
+  add("voronoi", "Compute the Voronoi diagram of points", add_voronoi,
       {"delone voronoi points.csv -o regions.svg", "delone voronoi points.csv --volumes areas.csv"});
   add("regular", "Triangulate weighted points", add_regular,
       {"delone regular table.csv --columns x,y --weights w -o regular.npz"});
-  add("power", "Make the power diagram of weighted points", add_power,
+  add("power", "Compute the power diagram of weighted points", add_power,
       {"delone power table.csv --columns x,y --weights w -o power.svg"});
-  add("alpha", "Find the alpha complex of points below a radius, or its boundary", add_alpha,
+  add("alpha", "Compute the alpha complex of points, or its boundary", add_alpha,
       {"delone alpha points.csv --radius 0.2 -o alpha.npz"});
-  add("locate", "Triangulate points, then say where query points lie", add_locate,
+  add("locate", "Locate query points in the triangulation of points", add_locate,
       {"delone locate points.csv --queries places.csv -o answers.csv"});
-  add("interpolate", "Triangulate points with values, then say the values at query points", add_interpolate,
+  add("interpolate", "Interpolate values that are given at points", add_interpolate,
       {"delone interpolate table.csv --values w --queries places.csv",
        "delone interpolate table.csv --values w --queries places.csv \\",
        "  --method natural -o values.npy"});
-  add("check", "Check a triangulation exactly, whoever made it", add_check,
+  add("check", "Check a result of any program exactly", add_check,
       {"delone check cells.npz", "delone check hull.npz --level 2"});
-  add("generate", "Make a named set of points", add_generate,
+  add("generate", "Generate a named set of points", add_generate,
       {"delone generate uniform -d 3 -n 1e4 --seed 7 -o uniform.npy"});
-  add("forecast", "Say what a Delaunay triangulation will take: cells, memory, time", add_forecast,
+  add("forecast", "Predict the cost of a Delaunay triangulation: cells, memory, time", add_forecast,
       {"delone forecast -d 6 -n 20000", "delone forecast points.csv"});
-  add("info", "Say what a file of points or a triangulation holds", add_info,
+  add("info", "Describe a file of points or of a result", add_info,
       {"delone info cells.npz", "delone generate grid -d 2 -n 25 | delone info -"});
-  add("view", "Make a page for a browser that shows a result", add_view,
+  add("view", "Show a result on a page for a browser", add_view,
       {"delone view points.csv -o page.html", "delone view cells.npz --title Cells -o cells.html",
        "delone view table.csv --values w --of voronoi -o areas.html"});
   app.footer(

@@ -130,14 +130,14 @@ void TilesInput::add_to(CLI::App& command) {
       ->group(group);
   command
       .add_option("--raw", raw_columns,
-                  "IN holds nothing but little-endian doubles, N per row, the weight included")
+                  "IN consists of little-endian doubles, N per row, the weight included")
       ->check(CLI::Range(1, 1 << 20))
       ->type_name("N")
       ->group(group);
   command.add_flag("--vtu", vtu, "Also write tiles.pvtu and a .vtu per part, for ParaView (d <= 3)")
       ->group(group);
   command.add_flag("--hdf5", hdf5, "Also write tiles.h5")->group(group);
-  command.add_flag("--no-resume", no_resume, "Begin again, instead of going on with what is in the folder")
+  command.add_flag("--no-resume", no_resume, "Start again instead of continuing from what is in the folder")
       ->group(group);
 }
 
@@ -175,8 +175,8 @@ int run_tiles(const TilesCommand& command) {
     const std::string done =
         unfinished ? fmt::format(": {} of {} tiles are done", unfinished->num_finished, unfinished->num_tiles)
                    : "";
-    print_note(
-        fmt::format("delone: interrupted; the same command goes on with {}{}\n", output_name(folder), done));
+    print_note(fmt::format("delone: interrupted; the same command continues with {}{}\n", output_name(folder),
+                           done));
     return 128 + signal;
   }
   Cost cost;

@@ -43,7 +43,7 @@ std::string in_command_words(std::string message, const std::string& format_opti
 
 void add_max_stream(CLI::App& command, std::uint64_t& bytes) {
   add_size(command, "--max-stream", bytes,
-           "The most bytes to read from a pipe or device, as 500MB or 8GiB; 4GiB if not given");
+           "The most bytes to read from a pipe or device, such as 500MB or 8GiB; 4GiB if not given");
 }
 
 void add_size(CLI::App& command, const std::string& name, std::uint64_t& bytes,
@@ -86,7 +86,7 @@ void add_columns(CLI::App& command, const std::string& name, std::vector<std::st
   command
       .add_option_function<std::string>(
           name, [&columns](const std::string& list) { columns = split_list(list); },
-          "Columns with the coordinates: names, numbers from 0, or ranges as 2-5")
+          "Columns with the coordinates: names, numbers from 0, or ranges such as 2-5")
       ->type_name("A,B,...");
 }
 

@@ -19,7 +19,7 @@ TilesIndex read_finished(const std::string& folder) {
   if (const auto unfinished = find_unfinished_tiles(folder))
     throw Error(
         Errc::cannot_open,
-        fmt::format("{}: not finished: {} of {} tiles are done; the command that made it goes on with it",
+        fmt::format("{}: not finished: {} of {} tiles are done; the command that made it continues with it",
                     input_name(folder), unfinished->num_finished, unfinished->num_tiles));
   return read_tiles_index(folder);
 }

@@ -126,7 +126,7 @@ int run(int argc, char** argv) {
       ->required();
   delaunay.add_option("-o,--output", arguments.folder, "The folder to make")->required()->type_name("OUT/");
   delaunay.add_flag("--weighted", options.weighted, "The last column has weights: the regular triangulation");
-  delaunay.add_option("--memory", arguments.memory, "The most memory of one rank, as 2GiB")
+  delaunay.add_option("--memory", arguments.memory, "The most memory of one rank, such as 2GiB")
       ->type_name("SIZE");
   delaunay.add_option("--tiles", arguments.tiles, "The number of tiles; if not given, one per rank or more")
       ->type_name("N");
@@ -136,13 +136,13 @@ int run(int argc, char** argv) {
       ->type_name("FORMAT");
   delaunay
       .add_option("--raw", arguments.raw,
-                  "IN holds nothing but little-endian doubles, N per row, the weight included")
+                  "IN consists of little-endian doubles, N per row, the weight included")
       ->type_name("N")
       ->check(CLI::Range(1, 1 << 20));
   delaunay.add_flag("--vtu", options.vtu, "Also write tiles.pvtu and a .vtu per part, for ParaView (d <= 3)");
   delaunay.add_flag("--hdf5", options.hdf5, "Also write tiles.h5");
   delaunay.add_flag("--no-resume", arguments.no_resume,
-                    "Begin again, instead of going on with what is in the folder");
+                    "Start again instead of continuing from what is in the folder");
   delaunay.add_flag("--stats", arguments.stats, "Print a report as JSON, with the effort of every rank");
   try {
     app.parse(argc, argv);

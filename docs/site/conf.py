@@ -15,7 +15,7 @@ author = "the delone authors"
 copyright = "the delone authors, BSD 3-clause license"
 version = release = re.search(r"^project\(delone VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"), re.M)[1]
 
-extensions = ["myst_parser", "sphinx.ext.autodoc"]
+extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
 myst_enable_extensions = ["deflist", "dollarmath"]
 myst_heading_anchors = 4  # those of GitHub
 html_theme = "furo"
@@ -30,7 +30,9 @@ pygments_style = "tango"
 highlight_language = "text"
 smartquotes = False  # -- begins an option
 
-# Docstrings: a word in single backquotes is code, as in Markdown. Signatures are those of the stub, which has the types.
+# Docstrings are in the form of numpydoc; a word in single backquotes is code. Signatures are those of the stub, which has the types.
+napoleon_google_docstring = False
+napoleon_use_rtype = False
 default_role = "code"
 autodoc_member_order = "bysource"
 autodoc_default_options = {"members": True, "inherited-members": True}
@@ -79,39 +81,13 @@ def signature(app, what, name, thing, options, text, returned):
     return text, returned
 
 
-ITEM = re.compile(r"(\*{0,2}\w+(?:(?:, | / )\*{0,2}\w+)*) : (.*)")  # "points, weights : what they are"
-
-
-def escaped(text):
-    """The text, with nothing but emphasis and pages of docs/ that reStructuredText interprets outside of code."""
-    parts = re.split(r"(`+[^`]*`+)", re.sub(r"(?<![\w`/])docs/([\w/-]+)\.md\b", r":doc:`/\1`", text))
-    return "".join(part if part.startswith("`") else re.sub(r"\*\w[\w ]*\*|([*|])", lambda m: m[1] and "\\" + m[1] or m[0], part) for part in parts)
-
-
 def docstring(app, what, name, thing, options, lines):
-    """As reStructuredText: without the signature that pybind11 writes above it, with lists of definitions, and headings as paragraphs."""
+    """Without the signature that pybind11 writes above it; links to pages of docs/ instead of their names."""
     while lines and re.match(r"\w+\(.*\) -> |\w+\(self: ", lines[0]):
         del lines[0]
     if lines and lines[0].startswith("Alias for field number"):  # of a NamedTuple, whose fields its own docstring explains
         lines.clear()
-    if any(line.rstrip().endswith("::") for line in lines):
-        return
-    found = inspect.cleandoc("\n".join(lines)).split("\n")
-    lines.clear()
-    in_item = False
-    for i, line in enumerate(found):
-        below = found[i + 1] if i + 1 < len(found) else ""
-        if re.fullmatch("-{3,}", line):
-            lines[-1] = f"**{lines[-1]}**"
-            lines.append("")
-        elif item := ITEM.match(line):
-            lines += [""] * (bool(lines) and lines[-1] != "") + [f"``{item[1]}``"] + ["    " + escaped(item[2])] + [""] * below.startswith("  ")
-            in_item = True
-        else:
-            if in_item and line and not line.startswith("  ") and lines[-1]:
-                lines.append("")
-            in_item = in_item and line.startswith("  ")
-            lines.append(escaped(line))
+    lines[:] = [re.sub(r"(?<![\w`/])docs/([\w/-]+)\.md\b", r":doc:`/\1`", line) for line in lines]
 
 
 def skip(app, what, name, thing, skipped, options):
@@ -137,5 +113,5 @@ def setup(app):
     sys.modules["delone._mpi"] = importlib.import_module("delone")._mpi = stand_in
     app.connect("env-check-consistency", complete)
     app.connect("autodoc-process-signature", signature)
-    app.connect("autodoc-process-docstring", docstring)
+    app.connect("autodoc-process-docstring", docstring, priority=400)  # before napoleon
     app.connect("autodoc-skip-member", skip)

@@ -204,7 +204,7 @@ class GoingOn(TilesCase):
         self.go_on(done)
 
     def test_after_ctrl_c(self):
-        self.assertRegex(self.stop(signal.SIGINT), r"\Adelone: interrupted; the same command goes on with .*out/: \d+ of 24 tiles are done\n\Z")
+        self.assertRegex(self.stop(signal.SIGINT), r"\Adelone: interrupted; the same command continues with .*out/: \d+ of 24 tiles are done\n\Z")
         self.go_on(self.done())
 
     def test_a_truncated_part_is_made_again(self):

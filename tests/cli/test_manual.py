@@ -135,8 +135,8 @@ class Manual(unittest.TestCase):
                   'word=hull; source "$1"; exit 0')
         done = run("zsh", "-f", "-c", script, "zsh", self.zsh)
         self.assertEqual(done.stderr, "")
-        self.assertIn("(--lower --qhull --upper)--lower[Only the facets that look down along the last coordinate, which may be the energy of a composition; "
-                      "leave one out of fractions that sum to 1.]", done.stdout.split("\n"))
+        self.assertIn("(--lower --qhull --upper)--lower[Only the facets that face down along the last coordinate, which may be the energy of a composition; "
+                      "if fractions sum to 1, leave one out.]", done.stdout.split("\n"))
         self.assertIn("--order=[Insertion order; the result does not depend on it.]:WORD:(automatic as_given shuffled)", done.stdout.split("\n"))
         self.assertIn("1:IN:_files", done.stdout.split("\n"))
 

@@ -34,7 +34,7 @@ class CloughTocher2DInterpolator(OnTriangulation):
 
     Attributes
     ----------
-    tri : Delaunay
+    tri : delone.spatial.Delaunay or delone.Delaunay
         The triangulation.
     points : (npoints, ndim) ndarray of float64
         The (scaled) points.

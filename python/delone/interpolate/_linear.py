@@ -26,7 +26,7 @@ class LinearNDInterpolator(OnTriangulation):
 
     Attributes
     ----------
-    tri : Delaunay
+    tri : delone.spatial.Delaunay or delone.Delaunay
         The triangulation.
     points : (npoints, ndim) ndarray of float64
         The (scaled) points.

@@ -28,7 +28,7 @@ class NaturalNeighborInterpolator(OnTriangulation):
 
     Attributes
     ----------
-    tri : Delaunay
+    tri : delone.spatial.Delaunay or delone.Delaunay
         The triangulation.
     points : (npoints, ndim) ndarray of float64
         The (scaled) points.

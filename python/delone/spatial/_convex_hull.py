@@ -34,8 +34,6 @@ class ConvexHull(OfPoints):
 
     Attributes
     ----------
-    points : (npoints, ndim) ndarray of float64
-        The points.
     ndim : int
         The number of coordinates.
     npoints : int

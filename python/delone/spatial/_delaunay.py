@@ -61,8 +61,6 @@ class Delaunay(OfPoints):
 
     Attributes
     ----------
-    points : (npoints, ndim) ndarray of float64
-        The points.
     ndim : int
         The number of coordinates.
     npoints : int

@@ -36,8 +36,6 @@ class Voronoi(OfPoints):
 
     Attributes
     ----------
-    points : (npoints, ndim) ndarray of float64
-        The points.
     ndim : int
         The number of coordinates.
     npoints : int
