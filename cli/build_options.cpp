@@ -20,7 +20,9 @@ void BuildOptions::add_output(CLI::App& command, const std::string& what,
                               const std::vector<std::string>& formats) {
   command.add_option("-o,--output", output, "Write " + what + " there; without it a summary is printed")
       ->type_name("OUT");
-  command.add_option("--output-format", output_format, "Format of OUT, if not told by its extension")
+  command
+      .add_option("--output-format", output_format,
+                  "Format of OUT, if not told by its extension; to_meshio() in Python has more")
       ->check(CLI::IsMember(formats))
       ->needs("--output");
   add_force(command, force);

@@ -188,8 +188,8 @@ const std::vector<std::string>& point_formats() {
 }
 
 const std::vector<std::string>& complex_formats() {
-  static const std::vector<std::string> formats{"npz", "vtu",  "off", "ply", "stl", "obj",
-                                                "msh", "json", "svg", "txt", "npy", "html"};
+  static const std::vector<std::string> formats{"npz", "vtu", "off", "ply", "json",
+                                                "svg", "txt", "npy", "html"};
   return formats;
 }
 

@@ -116,17 +116,16 @@ DELONE_EXPORT Data read_as(const std::string& path, const std::string& format = 
 ///         stored, readable by numpy.load
 ///   vtu   k ≤ 3 and d ≤ 3 (padded with zeros): vertices, segments, triangles or tetrahedra, for ParaView
 ///   off   OFF for d = 3, nOFF otherwise; cells as index lists
-///   ply   binary; obj, text: d ≤ 3; points, segments or triangles; of tetrahedra the boundary, facets without
-///         a neighbor, counterclockwise from outside when k = d
-///   stl   binary, single precision: d ≤ 3; triangles, or the boundary of tetrahedra
-///   msh   Gmsh's format 2.2, text: d ≤ 3; points, segments, triangles or tetrahedra
+///   ply   binary: d ≤ 3; points, segments or triangles; of tetrahedra the boundary, facets without a neighbor,
+///         counterclockwise from outside when k = d
 ///   json  the same members as npz
 ///   svg   d = 2: a picture
 ///   txt   Qhull's `i` form: number of cells, then one line of point rows per cell; standard output
 ///   npy   the cells array only
 ///   html  a page for a browser: html.hpp
-/// Standard output takes the text formats. Throws Errc::bad_dimension, not_finite; invalid_argument if the
-/// arrays disagree; unsupported if the format cannot hold the data; and as all writers.
+/// Standard output takes the text formats. to_meshio() in Python gives stl, obj, msh and more. Throws
+/// Errc::bad_dimension, not_finite; invalid_argument if the arrays disagree; unsupported if the format cannot
+/// hold the data; and as all writers.
 DELONE_EXPORT void write(const std::string& path, const ComplexData& data, const std::string& format = {});
 
 /// Writes a convex hull (with its points): npz and json hold its arrays, kinds of points as numbers 0 … 3 in

@@ -177,8 +177,8 @@ def save(self, path, format: Optional[str] = None, *, qhull: Optional[str] = Non
         The file; "-" is standard output, for text formats.
     format : str, optional
         The format; by default the extension of the path tells it. Triangulations and hulls: npz and json (all arrays), off,
-        vtu (ParaView), ply, stl and obj (surfaces), msh (Gmsh), svg (plane), txt and npy (cells), html (as `to_html`).
-        Diagrams: npz, json, svg, vtu, html. Intersections: npz, json, off, html.
+        vtu (ParaView), ply (surfaces), svg (plane), txt and npy (cells), html (as `to_html`). Diagrams: npz, json, svg, vtu, html.
+        Intersections: npz, json, off, html. `to_meshio` gives stl, obj, msh and more.
     qhull : str, optional
         Write the output of Qhull for these options instead, such as "o Fv".
 

@@ -169,9 +169,10 @@ std::string choose_format(const std::string& path, const std::string& format,
     fail(Errc::unsupported, "{}: files are not written compressed; write {} and compress it",
          printable(path, std::string::npos), printable(without_gzip_name(path), std::string::npos));
   const std::string purpose = fmt::format("{} {}", use == Use::reading ? "reading" : "writing", what);
+  const char* more = use == Use::writing_mesh ? "; more by to_meshio() in Python" : "";
   if (!format.empty() || chosen.size() > 1)
-    fail(Errc::unsupported, "{}: format {} cannot be used for {}; available: {}",
-         printable(path, std::string::npos), in_quotes(chosen), purpose, fmt::join(known, ", "));
+    fail(Errc::unsupported, "{}: format {} cannot be used for {}; available: {}{}",
+         printable(path, std::string::npos), in_quotes(chosen), purpose, fmt::join(known, ", "), more);
   fail(Errc::unsupported, "{}: no extension tells the format for {}; name it: {}",
        printable(path, std::string::npos), purpose, fmt::join(known, ", "));
 }

@@ -72,12 +72,13 @@ void refuse_folder(const std::string& path, std::string_view expected);
 /// Throws bad_format if a byte is zero, which no text has.
 void require_text(std::string_view opening, const std::string& name);
 
-/// What a file is opened for.
-enum class Use { reading, writing };
+/// What a file is opened for. Results that to_meshio() of Python takes are meshes.
+enum class Use { reading, writing, writing_mesh };
 
 /// The lower-case format to use: `format` if given, `standard_stream` for the path "-", else the extension of
-/// the path. Throws unsupported, listing `known`, unless the result is among them.
-/// `what`: "points", say, for messages. For reading, .gz after the extension does not count.
+/// the path. Throws unsupported, listing `known`, unless the result is among them; for a mesh the message
+/// names to_meshio(). `what`: "points", say, for messages. For reading, .gz after the extension does not
+/// count.
 std::string choose_format(const std::string& path, const std::string& format,
                           std::string_view standard_stream, std::initializer_list<std::string_view> known,
                           Use use, std::string_view what);

@@ -34,6 +34,13 @@ class Usage(Case):
         text = self.complaint("check", self.uniform(2, 5))
         self.assertIn("'npy' cannot be used for reading anything but points; available: npz, json, off", text)
 
+    def test_other_meshes_are_those_of_meshio(self):
+        points = self.uniform(2, 5)
+        for command in ("delaunay", "hull", "voronoi"):
+            for extension in ("stl", "obj", "msh"):
+                text = self.complaint(command, points, "-o", self.path(f"a.{extension}"))
+                self.assertRegex(text, rf"'{extension}' cannot be used for writing .*; more by to_meshio\(\) in Python")
+
     def test_help_and_version(self):
         self.assertRegex(self.output("--version"), r"\Adelone \d+\.\d+\.\d+\n\Z")
         for command in COMMANDS:

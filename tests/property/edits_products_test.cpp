@@ -181,8 +181,7 @@ TYPED_TEST(ProductsOfEdited, Data) {
     EXPECT_EQ(test::sorted_cells(closed), test::sorted_cells(right));
     EXPECT_EQ(closed.vertex_of_point, right.vertex_of_point);
     EXPECT_EQ(closed.points, right.points);
-    for (const std::string format :
-         {"npz", "json", "vtu", "off", "ply", "obj", "stl", "msh", "svg", "txt", "html"}) {
+    for (const std::string format : {"npz", "json", "vtu", "off", "ply", "svg", "txt", "html"}) {
       const std::string path = folder.file("data." + format);
       const auto error_of = [&](const ComplexData& what) -> std::string {
         try {

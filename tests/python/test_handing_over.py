@@ -164,9 +164,9 @@ def test_meshio_takes_simplices(points):
             assert (mesh.cell_data["number"][0] == np.arange(product.num_cells)).all()
 
 
-def written(mesh, extension, folder):
+def written(mesh, extension, folder, file_format=None):
     path = folder / ("mesh" + extension)
-    mesh.write(path)
+    mesh.write(path, file_format)
     return sys.modules["meshio"].read(path)
 
 
@@ -175,11 +175,31 @@ def test_meshio_writes_what_it_is_given(tmp_path):
     t = delone.Delaunay(SPACE)
     again = written(t.to_meshio(cell_data={"volume": np.arange(len(t)) * 0.5}), ".vtu", tmp_path)
     assert (again.cells[0].data == t.cells).all() and again.cell_data["volume"][0][-1] == (len(t) - 1) / 2
-    again = written(delone.ConvexHull(SPACE).to_meshio(), ".stl", tmp_path)
-    assert len(again.cells[0].data) == delone.ConvexHull(SPACE).num_cells
     v = delone.Voronoi(SPACE)
     again = written(v.to_meshio(cell_data={"size": v.region_volumes()}), ".vtu", tmp_path)
     assert sum(len(block.data) for block in again.cells) == v.is_bounded.sum()
+
+
+@pytest.mark.parametrize("product", [delone.Delaunay(PLANE), delone.ConvexHull(PLANE), delone.Delaunay(SPACE), delone.ConvexHull(SPACE)])
+def test_meshio_writes_for_gmsh(tmp_path, product):
+    pytest.importorskip("meshio")
+    again = written(product.to_meshio(), ".msh", tmp_path, "gmsh22")
+    assert (again.points[:, :product.dimension] == product.points).all() and (again.cells[0].data == product.cells).all()
+
+
+@pytest.mark.parametrize("product", [delone.Delaunay(PLANE), delone.ConvexHull(SPACE)])
+def test_meshio_writes_surfaces(tmp_path, product):
+    pytest.importorskip("meshio")
+    again = written(product.to_meshio(), ".stl", tmp_path)
+    corners = again.points[again.cells[0].data]
+    assert len(corners) == product.num_cells
+    if product.dimension == 3:  # the divergence theorem: triangles are counterclockwise seen from outside
+        assert np.linalg.det(corners.astype(float)).sum() / 6 == pytest.approx(product.volume, rel=1e-5)
+    mesh = product.to_meshio()
+    if product.dimension == 2:  # the writer of OBJ needs three coordinates
+        mesh.points = np.c_[mesh.points, np.zeros(len(mesh.points))]
+    again = written(mesh, ".obj", tmp_path)
+    assert np.allclose(again.points, mesh.points) and (again.cells[0].data == product.cells).all()
 
 
 def test_meshio_takes_regions():

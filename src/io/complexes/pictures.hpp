@@ -36,17 +36,9 @@ void write_vtu(AtomicFile& file, const VtuSimplices<Id>& simplices);
 void write_vtu(AtomicFile& file, const ComplexData& data);
 /// The regions clipped to the box. Throws unsupported unless d = 2 or 3.
 void write_vtu(AtomicFile& file, const Diagram& diagram, const Box& box);
-/// Meshes in space. Throw unsupported for d > 3; invalid_argument where the boundary of tetrahedra is wanted
-/// and neighbors are unknown. Binary little-endian PLY: points, and segments or triangles; of tetrahedra the
-/// boundary.
+/// Binary little-endian PLY: points, and segments or triangles; of tetrahedra the boundary. Throws
+/// unsupported for d > 3, and invalid_argument for tetrahedra without neighbors.
 void write_ply(AtomicFile& file, const ComplexData& data);
-/// Binary STL: triangles, or the boundary of tetrahedra, in single precision. Throws unsupported for points
-/// and segments, and for larger numbers.
-void write_stl(AtomicFile& file, const ComplexData& data);
-/// OBJ: points, segments or triangles; of tetrahedra the boundary.
-void write_obj(AtomicFile& file, const ComplexData& data);
-/// Gmsh's format, version 2.2, as text: points, segments, triangles or tetrahedra.
-void write_msh(AtomicFile& file, const ComplexData& data);
 /// Throws unsupported unless d = 2.
 void write_svg(AtomicFile& file, const ComplexData& data);
 void write_svg(AtomicFile& file, const Diagram& diagram, const Box& box);

@@ -28,7 +28,7 @@ std::size_t num_corners(const ComplexData& data) {
 }
 
 void refuse_binary_output(const std::string& path, const std::string& format) {
-  constexpr std::array<std::string_view, 5> binary{"npz", "npy", "vtu", "ply", "stl"};
+  constexpr std::array<std::string_view, 4> binary{"npz", "npy", "vtu", "ply"};
   if (path == "-" && std::find(binary.begin(), binary.end(), format) != binary.end())
     fail(Errc::unsupported, "format '{}' is binary and is not written to standard output", format);
 }
@@ -68,15 +68,15 @@ void require_all_rows(const Data& data, const std::string& name) {
                   {row});
 }
 
-const std::initializer_list<std::string_view> complex_formats{"npz", "vtu",  "off", "ply", "stl", "obj",
-                                                              "msh", "json", "svg", "txt", "npy", "html"};
+const std::initializer_list<std::string_view> complex_formats{"npz", "vtu", "off", "ply", "json",
+                                                              "svg", "txt", "npy", "html"};
 
 }  // namespace
 }  // namespace io
 
 void write(const std::string& path, const ComplexData& data, const std::string& format) {
   const std::string chosen =
-      io::choose_format(path, format, "txt", io::complex_formats, io::Use::writing, "a triangulation");
+      io::choose_format(path, format, "txt", io::complex_formats, io::Use::writing_mesh, "a triangulation");
   const std::string name = io::output_name(path);
   io::guarded(name, [&] {
     io::validate(data, name);
@@ -92,9 +92,6 @@ void write(const std::string& path, const ComplexData& data, const std::string& 
     if (chosen == "vtu") io::write_vtu(file, data);
     if (chosen == "off") io::write_off(file, data);
     if (chosen == "ply") io::write_ply(file, data);
-    if (chosen == "stl") io::write_stl(file, data);
-    if (chosen == "obj") io::write_obj(file, data);
-    if (chosen == "msh") io::write_msh(file, data);
     if (chosen == "json") io::write_json(file, data);
     if (chosen == "svg") io::write_svg(file, data);
     if (chosen == "txt") io::write_qhull_cells(file, data);
@@ -105,7 +102,7 @@ void write(const std::string& path, const ComplexData& data, const std::string& 
 
 void write(const std::string& path, const HullData& data, const std::string& format) {
   const std::string chosen =
-      io::choose_format(path, format, "txt", io::complex_formats, io::Use::writing, "a hull");
+      io::choose_format(path, format, "txt", io::complex_formats, io::Use::writing_mesh, "a hull");
   const std::string name = io::output_name(path);
   io::guarded(name, [&] {
     io::validate(data, name);
@@ -129,7 +126,7 @@ void write(const std::string& path, const HullData& data, const std::string& for
 
 void write(const std::string& path, const IntersectionData& data, const std::string& format) {
   const std::string chosen = io::choose_format(path, format, "json", {"npz", "json", "off", "html"},
-                                               io::Use::writing, "an intersection");
+                                               io::Use::writing_mesh, "an intersection");
   const std::string name = io::output_name(path);
   io::guarded(name, [&] {
     io::validate(data, name);
@@ -161,7 +158,7 @@ void write(const std::string& path, const VoronoiData& data, const std::string& 
 void write(const std::string& path, const Diagram& diagram, const std::optional<Box>& box,
            const std::string& format, const std::vector<std::string>& column_names) {
   const std::string chosen = io::choose_format(path, format, "json", {"npz", "json", "svg", "vtu", "html"},
-                                               io::Use::writing, "a Voronoi diagram");
+                                               io::Use::writing_mesh, "a Voronoi diagram");
   const std::string name = io::output_name(path);
   io::guarded(name, [&] {
     if (!diagram.has_ridges()) io::fail(Errc::invalid_argument, "the diagram was made without ridges");
