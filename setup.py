@@ -81,7 +81,7 @@ class CMakeBuild(build_ext):
                      "-DDELONE_BUILD_CLI=OFF", "-DDELONE_BUILD_C=OFF", "-DDELONE_BUILD_MPI=OFF", "-DDELONE_INSTALL=OFF",
                      f"-DPython_EXECUTABLE={sys.executable}"]
         if not SYSTEM_LIBRARIES:
-            configure += ["-DDELONE_FETCH_DEPENDENCIES=MISSING", "-DDELONE_WITH_HDF5=OFF"]
+            configure += ["-DDELONE_FETCH_DEPENDENCIES=MISSING"]
         if shutil.which("ninja"):
             configure += ["-G", "Ninja"]
         if shutil.which("ccache"):

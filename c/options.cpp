@@ -104,8 +104,6 @@ constexpr std::array integers{
     Setter<std::int64_t>{"resume",
                          [](delone_options& o, std::int64_t v) { o.tiles.resume = as_bool("resume", v); }},
     Setter<std::int64_t>{"vtu", [](delone_options& o, std::int64_t v) { o.tiles.vtu = as_bool("vtu", v); }},
-    Setter<std::int64_t>{"hdf5",
-                         [](delone_options& o, std::int64_t v) { o.tiles.hdf5 = as_bool("hdf5", v); }},
 };
 
 constexpr std::array reals{

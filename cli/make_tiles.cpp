@@ -20,7 +20,7 @@
 namespace delone::cli {
 namespace {
 
-constexpr std::array of_tiles{"--tiles", "--raw", "--vtu", "--hdf5", "--no-resume"};
+constexpr std::array of_tiles{"--tiles", "--raw", "--vtu", "--no-resume"};
 constexpr std::array of_files{"--output-format", "--qhull",         "--force", "--max-stream",
                               "--trim",          "--furthest-site", "--seed",  "--runtime-dimension",
                               "--order",         "--time"};
@@ -108,7 +108,6 @@ TilesOptions options_of(const TilesCommand& command, ProgressBar& bar) {
   options.weights = command.weights;
   options.resume = !command.tiles.no_resume;
   options.vtu = command.tiles.vtu;
-  options.hdf5 = command.tiles.hdf5;
   options.progress = bar.callback();
   options.forecast = [&command, &bar](const TilesForecast& forecast) {
     if (!command.build.quiet) {
@@ -136,7 +135,6 @@ void TilesInput::add_to(CLI::App& command) {
       ->group(group);
   command.add_flag("--vtu", vtu, "Also write tiles.pvtu and a .vtu per part, for ParaView (d <= 3)")
       ->group(group);
-  command.add_flag("--hdf5", hdf5, "Also write tiles.h5")->group(group);
   command.add_flag("--no-resume", no_resume, "Start again instead of continuing from what is in the folder")
       ->group(group);
 }

@@ -16,7 +16,7 @@ namespace delone::cli {
 struct TilesInput {
   std::size_t tiles = 0;
   int raw_columns = 0;  ///< 0: IN is not raw
-  bool vtu = false, hdf5 = false, no_resume = false;
+  bool vtu = false, no_resume = false;
 
   /// What happens beyond the memory (BuildOptions::add_construction()).
   static constexpr const char* beyond_memory =

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Install rules: the library with its public headers, the command, and a CMake package that offers delone::delone, delone::c if it was built; and delone::mpi
 # with its header and command, if it was built.
-# The library's dependencies are private; users of a static library need what it links: Highway, fmt, oneTBB, zlib and HDF5. Those that were
+# The library's dependencies are private; users of a static library need what it links: Highway, fmt, oneTBB and zlib. Those that were
 # built from sources are installed with it.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)

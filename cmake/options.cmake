@@ -14,8 +14,6 @@ option(DELONE_FUZZ "Build the fuzz targets with libFuzzer (needs clang)" OFF)
 option(DELONE_WERROR "Treat warnings as errors" ${DELONE_DEVELOPER_MODE})
 set(DELONE_WITH_TBB AUTO CACHE STRING "Threads, by oneTBB: ON, OFF, or AUTO: if it is found")
 set_property(CACHE DELONE_WITH_TBB PROPERTY STRINGS AUTO ON OFF)
-set(DELONE_WITH_HDF5 AUTO CACHE STRING "HDF5 files of tiles: ON, OFF, or AUTO: if its C library is found")
-set_property(CACHE DELONE_WITH_HDF5 PROPERTY STRINGS AUTO ON OFF)
 set(DELONE_WITH_ZLIB AUTO CACHE STRING "Compressed files (.gz), by zlib: ON, OFF, or AUTO: if it is found")
 set_property(CACHE DELONE_WITH_ZLIB PROPERTY STRINGS AUTO ON OFF)
 set(DELONE_FETCH_DEPENDENCIES OFF CACHE STRING

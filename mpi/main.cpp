@@ -140,7 +140,6 @@ int run(int argc, char** argv) {
       ->type_name("N")
       ->check(CLI::Range(1, 1 << 20));
   delaunay.add_flag("--vtu", options.vtu, "Also write tiles.pvtu and a .vtu per part, for ParaView (d <= 3)");
-  delaunay.add_flag("--hdf5", options.hdf5, "Also write tiles.h5");
   delaunay.add_flag("--no-resume", arguments.no_resume,
                     "Start again instead of continuing from what is in the folder");
   delaunay.add_flag("--stats", arguments.stats, "Print a report as JSON, with the effort of every rank");

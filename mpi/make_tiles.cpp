@@ -10,7 +10,6 @@
 #include "seam_exchange.hpp"
 #include "share.hpp"
 #include "split_tree_file.hpp"
-#include "tiles/hdf5_file.hpp"
 #include "tiles/index_file.hpp"
 #include "tiles/page_tree.hpp"
 #include "tiles/part_file.hpp"
@@ -156,7 +155,7 @@ class Run {
       if (ranks_.rank() != 0) return;
       if (options_.resume) index = tiles::find_finished(folder_name_, plan);
       if (index) {
-        tiles::write_missing_files(folder_name_, *index, memory_ / 4, options_.vtu, options_.hdf5);
+        if (options_.vtu) tiles::write_missing_vtu(folder_name_, *index);
         return;
       }
       open(options_.resume);
@@ -259,7 +258,7 @@ class Run {
     index.num_hull_facets +=
         match_seams(folder_name_, folder_->work(), tiles::first_cells(index), owners, ranks_);
     ranks_.together([&] {
-      if (ranks_.rank() == 0) folder_->close(index, memory_ / 4, options_.vtu, options_.hdf5);
+      if (ranks_.rank() == 0) folder_->close(index, options_.vtu);
     });
     return index;
   }
@@ -295,7 +294,6 @@ TilesIndex make(MPI_Comm comm, const std::string& folder, const TilesOptions& op
       make_share(ranks, share);
       if (ranks.rank() != 0) return;
       if (options.vtu) tiles::require_vtu(folder, share->dimension() - (options.weighted ? 1 : 0));
-      if (options.hdf5) tiles::require_hdf5(folder);
     });
     RankEffort unused;
     RankEffort& to = effort ? *effort : unused;

@@ -57,10 +57,8 @@ def libraries_of(build):
     """What programs link beside the library."""
     cache = dict(line.split("=", 1) for line in (build / "CMakeCache.txt").read_text().splitlines() if "=" in line)
     has_tbb = cache.get("DELONE_WITH_TBB:STRING") != "OFF" and not cache.get("TBB_DIR:PATH", "NOTFOUND").endswith("NOTFOUND")
-    hdf5 = cache.get("DELONE_HDF5_LIBRARY:FILEPATH", "NOTFOUND")
-    has_hdf5 = cache.get("DELONE_WITH_HDF5:STRING") != "OFF" and not hdf5.endswith("NOTFOUND")
     has_zlib = cache.get("DELONE_WITH_ZLIB:STRING") != "OFF" and not cache.get("ZLIB_LIBRARY_RELEASE:FILEPATH", "NOTFOUND").endswith("NOTFOUND")
-    return ["-lhwy", "-lfmt"] + has_tbb * ["-ltbb"] + has_zlib * ["-lz"] + has_hdf5 * [hdf5]
+    return ["-lhwy", "-lfmt"] + has_tbb * ["-ltbb"] + has_zlib * ["-lz"]
 
 
 def find_library(build):

@@ -127,7 +127,7 @@ DELONE_C_API void delone_set_progress(delone_progress progress, void* user_data)
  *   text     weights ""         the column of a file with the weights; "": the last
  *   integer  raw 0              N > 0: the file consists of little-endian doubles, N in a row
  *   integer  resume 1           0: start again from the beginning
- *   integer  vtu 0, hdf5 0      1: also write these files */
+ *   integer  vtu 0              1: also write tiles.pvtu and its parts */
 /* clang-format on */
 typedef struct delone_options delone_options;
 

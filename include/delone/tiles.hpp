@@ -46,8 +46,7 @@ struct TilesOptions {
   std::string weights;
   /// Continue from what an earlier call with the same arguments has left in the folder.
   bool resume = true;
-  bool vtu = false;   ///< also write tiles.pvtu and a .vtu per part, d ≤ 3
-  bool hdf5 = false;  ///< also write tiles.h5; Errc::unsupported in a build without HDF5
+  bool vtu = false;  ///< also write tiles.pvtu and a .vtu per part, d ≤ 3
   /// As Options::progress.
   std::function<bool(double)> progress = {};
   /// Called once, before the first tile; return false to cancel (Errc::cancelled).
@@ -105,8 +104,8 @@ struct TileData {
 /// (docs/tiles.md); three passes over the input; scratch files of twice the size of the points.
 ///
 /// Throws as read_points(), Errc::not_finite with rows(); invalid_argument for a folder that holds anything
-/// else or tiles of other points; out_of_memory if no number of tiles fits; unsupported (vtu for d > 3,
-/// hdf5); cannot_write; cancelled.
+/// else or tiles of other points; out_of_memory if no number of tiles fits; unsupported (vtu for d > 3);
+/// cannot_write; cancelled.
 DELONE_EXPORT TilesIndex make_tiles(const std::string& input, const std::string& folder,
                                     const TilesOptions& options = {});
 /// The same for points in memory: rows of d coordinates, and a weight if `weighted`.

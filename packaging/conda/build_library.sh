@@ -3,6 +3,6 @@
 # The shared library, the C interface and the command; each package takes its files of them. Run by conda-build.
 set -euo pipefail
 cmake -S . -B build/conda -G Ninja ${CMAKE_ARGS:-} -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX="$PREFIX" \
-  -DCMAKE_INSTALL_LIBDIR=lib -DBUILD_SHARED_LIBS=ON -DDELONE_BUILD_MPI=OFF -DDELONE_WITH_TBB=ON -DDELONE_WITH_HDF5=ON -DDELONE_WITH_ZLIB=ON
+  -DCMAKE_INSTALL_LIBDIR=lib -DBUILD_SHARED_LIBS=ON -DDELONE_BUILD_MPI=OFF -DDELONE_WITH_TBB=ON -DDELONE_WITH_ZLIB=ON
 cmake --build build/conda --parallel "${CPU_COUNT:-1}"
 cmake --install build/conda

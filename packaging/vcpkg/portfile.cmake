@@ -5,7 +5,6 @@ get_filename_component(SOURCE_PATH "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
 vcpkg_check_features(OUT_FEATURE_OPTIONS features
   FEATURES
     c DELONE_BUILD_C
-    hdf5 DELONE_WITH_HDF5
     threads DELONE_WITH_TBB
     tools DELONE_BUILD_CLI
     zlib DELONE_WITH_ZLIB)

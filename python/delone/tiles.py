@@ -339,7 +339,7 @@ class Tiles:
 
 
 def make_tiles(points, folder, *, weights=None, columns=None, format=None, raw=None, memory=None, tiles=None, threads=0, resume=True,
-               vtu=False, hdf5=False, forecast=None, progress=None) -> Tiles:
+               vtu=False, forecast=None, progress=None) -> Tiles:
     """Triangulate the points of a file or an array in tiles.
 
     Makes the Delaunay triangulation, or with weights the regular one, as a folder of parts.
@@ -369,8 +369,6 @@ def make_tiles(points, folder, *, weights=None, columns=None, format=None, raw=N
         Continue from what an earlier call has left in the folder. Otherwise its tiles are removed first.
     vtu : bool, default False
         Also write tiles.pvtu and a .vtu for each part, for ParaView (d <= 3).
-    hdf5 : bool, default False
-        Also write tiles.h5.
     forecast : callable, optional
         Called once with a `Forecast`, before the first tile; returning a false value other than None cancels the call.
     progress : bool or callable, optional
@@ -414,7 +412,7 @@ def make_tiles(points, folder, *, weights=None, columns=None, format=None, raw=N
         raise TypeError("forecast: a function of a Forecast, or None")
     tell = None if forecast is None else lambda found: forecast(Forecast(*found))
     how = dict(memory=_bytes_of(memory), tiles=0 if tiles is None else _positive(tiles, "tiles"), threads=threads, resume=bool(resume),
-               vtu=bool(vtu), hdf5=bool(hdf5), forecast=tell, progress=progress, format=format or "", columns=0 if raw is None else _positive(raw, "raw"),
+               vtu=bool(vtu), forecast=tell, progress=progress, format=format or "", columns=0 if raw is None else _positive(raw, "raw"),
                coordinates=[] if columns is None else [str(each) for each in columns], weights="", weighted=weights is not None)
     if isinstance(points, (str, bytes, os.PathLike)):
         if raw is not None:

@@ -36,7 +36,7 @@ py::dict index_as_dict(const TilesIndex& index) {
 /// A path, or rows of numbers: of shape (n, d), or (n, d + 1) with weights.
 py::dict make(const py::object& input, const std::string& folder, std::uint64_t memory, std::size_t tiles,
               int threads, bool weighted, const std::string& format, int columns,
-              std::vector<std::string> coordinates, std::string weights, bool resume, bool vtu, bool hdf5,
+              std::vector<std::string> coordinates, std::string weights, bool resume, bool vtu,
               const py::object& forecast, const py::object& progress) {
   TilesOptions options;
   options.memory = memory;
@@ -49,7 +49,6 @@ py::dict make(const py::object& input, const std::string& folder, std::uint64_t 
   options.weights = std::move(weights);
   options.resume = resume;
   options.vtu = vtu;
-  options.hdf5 = hdf5;
   Supervisor supervisor(progress);
   options.progress = supervisor.callback();
   if (!forecast.is_none())
@@ -124,7 +123,7 @@ py::dict check(const std::string& folder, const py::object& input, int level, bo
 void bind_tiles(py::module_& module) {
   module.def("_make_tiles", &make, "input"_a, "folder"_a, py::kw_only(), "memory"_a, "tiles"_a, "threads"_a,
              "weighted"_a, "format"_a, "columns"_a, "coordinates"_a, "weights"_a, "resume"_a, "vtu"_a,
-             "hdf5"_a, "forecast"_a, "progress"_a,
+             "forecast"_a, "progress"_a,
              "Makes a folder of tiles from a path or an array, the last column of which may be weights, and "
              "returns its index.");
   module.def("_read_tiles_index", &read_index, "folder"_a, "The index of a folder of tiles.");

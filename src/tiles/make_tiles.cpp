@@ -5,7 +5,6 @@
 #include "base/random.hpp"
 #include "complex/canonical_hash.hpp"
 #include "io/file.hpp"
-#include "tiles/hdf5_file.hpp"
 #include "tiles/page_file.hpp"
 #include "tiles/part_file.hpp"
 #include "tiles/survey.hpp"
@@ -55,7 +54,6 @@ class Run {
 
   TilesIndex run() {
     if (options_.vtu) require_vtu(folder_, points_.dimension() - (options_.weighted ? 1 : 0));
-    if (options_.hdf5) require_hdf5(folder_);
     {
       const ProgressScope scope(part_of_progress(0, share_of_survey));
       SurveyResult result = make_survey(points_, options_.weighted);
@@ -124,14 +122,14 @@ class Run {
     plan.fingerprint = fingerprint_;
     if (options_.resume)
       if (auto index = find_finished(folder_, plan)) {
-        write_missing_files(folder_, *index, memory_ / 4, options_.vtu, options_.hdf5);
+        if (options_.vtu) write_missing_vtu(folder_, *index);
         return std::move(*index);
       }
     WorkFolder folder(folder_, plan, options_.resume && num_tiles == 0);
     const PageTable table = make_pages(tree, folder.work());
     make_parts(folder, table);
     const ProgressScope scope(part_of_progress(1 - share_of_seams, 1));
-    return folder.finish_all(memory_ / 4, options_.vtu, options_.hdf5);
+    return folder.finish_all(memory_ / 4, options_.vtu);
   }
 
   PageTable make_pages(const SplitTree& tree, const std::string& work) {

@@ -2,7 +2,6 @@
 #include "tiles/work_folder.hpp"
 
 #include "io/file.hpp"
-#include "tiles/hdf5_file.hpp"
 #include "tiles/index_file.hpp"
 #include "tiles/json_members.hpp"
 #include "tiles/part_file.hpp"
@@ -78,7 +77,7 @@ std::string difference(const Plan& found, const Plan& wanted) {
 }
 
 bool is_of_parts(const std::string& name) {
-  return name == index_name || name == work_name || name == "tiles.pvtu" || name == "tiles.h5" ||
+  return name == index_name || name == work_name || name == "tiles.pvtu" ||
          name.starts_with(".delone-partial-") ||
          (name.starts_with("part-") &&
           (name.ends_with(".npz") || name.ends_with(".npy") || name.ends_with(".vtu")));
@@ -86,7 +85,7 @@ bool is_of_parts(const std::string& name) {
 
 bool is_of_work(const std::string& name) {
   for (const char* const start : {"plan.json", "split.json", "lock", "points.bin", "pages.bin", "tile-",
-                                  "seams-", "answers", "facets", "hdf5-", ".delone-partial-"})
+                                  "seams-", "answers", "facets", ".delone-partial-"})
     if (name.starts_with(start)) return true;
   return false;
 }
@@ -297,9 +296,8 @@ TilesIndex WorkFolder::summary() const {
   return index;
 }
 
-void WorkFolder::close(const TilesIndex& index, std::uint64_t memory, bool vtu, bool hdf5) {
+void WorkFolder::close(const TilesIndex& index, bool vtu) {
   if (vtu) write_vtu_parts(folder_, index);
-  if (hdf5) write_hdf5(folder_, work_, index, memory);
   write_tiles_index(folder_, index, plan_.fingerprint);
   std::error_code error;
   if (DELONE_WINDOWS) lock_.reset();  // where the file of the lock cannot be removed while it is open
@@ -307,10 +305,10 @@ void WorkFolder::close(const TilesIndex& index, std::uint64_t memory, bool vtu, 
   if (error) cannot_write(work_, error);
 }
 
-TilesIndex WorkFolder::finish_all(std::uint64_t memory, bool vtu, bool hdf5) {
+TilesIndex WorkFolder::finish_all(std::uint64_t memory, bool vtu) {
   TilesIndex index = summary();
   index.num_hull_facets += match_seams(folder_, work_, first_cells(index), memory);
-  close(index, memory, vtu, hdf5);
+  close(index, vtu);
   return index;
 }
 
@@ -346,17 +344,8 @@ std::optional<TilesIndex> find_finished(const std::string& folder, const Plan& p
   return index;
 }
 
-void write_missing_files(const std::string& folder, const TilesIndex& index, std::uint64_t memory, bool vtu,
-                         bool hdf5) {
-  if (vtu && !fs::exists(path_in(folder, "tiles.pvtu"))) write_vtu_parts(folder, index);
-  if (!hdf5 || fs::exists(path_in(folder, "tiles.h5"))) return;
-  const std::string work = path_in(folder, work_name);
-  std::error_code error;
-  fs::create_directory(work, error);
-  if (error) cannot_write(work, error);
-  write_hdf5(folder, work, index, memory);
-  fs::remove_all(work, error);
-  if (error) cannot_write(work, error);
+void write_missing_vtu(const std::string& folder, const TilesIndex& index) {
+  if (!fs::exists(path_in(folder, "tiles.pvtu"))) write_vtu_parts(folder, index);
 }
 
 std::optional<Plan> find_plan(const std::string& folder) {

@@ -63,16 +63,16 @@ class WorkFolder {
   /// Writes the part, the seams and at last the record of tile t. Tiles may be finished by several threads.
   void finish(std::size_t t, const FinishedTile& tile);
 
-  /// REQUIRES that all tiles are finished. Matches the seams, writes what else is wanted (TilesOptions::vtu,
-  /// hdf5), then index.json, and removes FOLDER/work. Uses about `memory` bytes besides those of one part.
-  TilesIndex finish_all(std::uint64_t memory, bool vtu = false, bool hdf5 = false);
+  /// REQUIRES that all tiles are finished. Matches the seams, writes the files of TilesOptions::vtu if
+  /// wanted, then index.json, and removes FOLDER/work. Uses about `memory` bytes besides those of one part.
+  TilesIndex finish_all(std::uint64_t memory, bool vtu = false);
 
   /// The steps of finish_all() by themselves, for processes that share the folder. What others have finished:
   void know(std::size_t t, const TileRecord& record) { records_[t] = record; }
   /// What the index will be. Facets of the hull that are seams of parts are not yet counted.
   TilesIndex summary() const;
-  /// Writes what else is wanted, then index.json, and removes FOLDER/work.
-  void close(const TilesIndex& index, std::uint64_t memory, bool vtu = false, bool hdf5 = false);
+  /// Writes the files of TilesOptions::vtu if wanted, then index.json, and removes FOLDER/work.
+  void close(const TilesIndex& index, bool vtu = false);
 
  private:
   void open(bool resume, bool locked);
@@ -90,9 +90,8 @@ std::vector<std::int64_t> first_cells(const TilesIndex& index);
 /// The index of a finished folder of this plan: nothing is left to do. Nothing if there is no index; throws
 /// invalid_argument if the folder is finished and is of another plan.
 std::optional<TilesIndex> find_finished(const std::string& folder, const Plan& plan);
-/// Writes what is wanted beside the parts of a finished folder, and not there.
-void write_missing_files(const std::string& folder, const TilesIndex& index, std::uint64_t memory, bool vtu,
-                         bool hdf5);
+/// Writes tiles.pvtu and its parts into a finished folder that does not have them.
+void write_missing_vtu(const std::string& folder, const TilesIndex& index);
 
 /// What an unfinished folder is to become; nothing if the folder has no plan.
 std::optional<Plan> find_plan(const std::string& folder);

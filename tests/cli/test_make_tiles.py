@@ -126,7 +126,7 @@ class Tiles(TilesCase):
 
     def test_usage(self):
         points = self.uniform(2, 100)
-        for option in (["--tiles", 2], ["--vtu"], ["--hdf5"], ["--no-resume"], ["--raw", 2]):
+        for option in (["--tiles", 2], ["--vtu"], ["--no-resume"], ["--raw", 2]):
             for output in ([], ["-o", self.path("a.npz")]):
                 text = self.complaint("delaunay", points, *output, *option, status=64)
                 self.assertIn(f"{option[0]} is for tiles, which go to a folder", text)

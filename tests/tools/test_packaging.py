@@ -36,7 +36,6 @@ DEPENDENCIES = {
     "find_package(CLI11": ("libcli11-dev", "cli11", "cli11"),
     "fast_float/fast_float.h": ("libfast-float-dev", "fast_float", "fast-float"),
     "find_package(fmt": ("libfmt-dev", "fmt", "fmt"),
-    "hdf5.h": ("libhdf5-dev", "hdf5", "hdf5"),
     "find_package(hwy": ("libhwy-dev", "libhwy", "highway"),
     "find_package(nlohmann_json": ("nlohmann-json3-dev", "nlohmann_json", "nlohmann-json"),
     "find_package(TBB": ("libtbb-dev", "tbb-devel", "tbb"),

@@ -40,8 +40,8 @@ struct RankEffort {
 /// the numbers 0, 1, 2, … in its place, as long as they exist.
 ///
 /// options: `memory` is that of one rank, and `tiles` the number of all tiles; there are at least as many
-/// tiles as ranks. `progress` and `forecast` are called by every rank, by itself. The files of
-/// `vtu` and `hdf5` are written by rank 0, at the end.
+/// tiles as ranks. `progress` and `forecast` are called by every rank, by itself. Rank 0 writes the
+/// files of `vtu`, at the end.
 ///
 /// Errors of any rank are thrown by all, with the number of the rank in front unless all have the same one.
 /// If a rank runs out of memory in the middle of an exchange, it says so on standard error and ends all ranks
