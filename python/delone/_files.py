@@ -400,8 +400,6 @@ def check(what: Any, cells: Optional[npt.ArrayLike] = None, *, neighbors: Option
         If there is no such level, if arrays have wrong shapes, or if options of triangulations are given for another result.
     TypeError
         If `what` cannot be checked.
-    InputError
-        If a number is NaN or infinite.
 
     Notes
     -----

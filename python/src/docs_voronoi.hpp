@@ -88,7 +88,9 @@ Returns
 Raises
 ------
 InputError
-    Unless low < high, and for d > 12 or furthest sites with a box.
+    If the box does not have finite limits low < high.
+Error
+    If a box is given and d > 12, or the diagram is one of furthest sites.
 
 Notes
 -----
