@@ -1,64 +1,85 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Forecasts beside what constructions took: ratios forecast / found of cells, bytes and seconds.
+"""Forecasts beside what constructions take: ratios forecast / found of cells, bytes and seconds.
 
-  forecast.py build/release/delone RUNS.csv                  the largest set of each kind and dimension of a table
-  forecast.py build/release/delone RUNS.csv --markdown       the same as tables for a record
+  PYTHONPATH=build/release/python forecast.py data/*.csv       all choices of two or more columns of each file
+  PYTHONPATH=build/release/python forecast.py --kinds          sets of `delone generate`, 1D to 8D; uniform ones tell whether
+                                                               the constants of src/forecast/model/cost.cpp still hold
 
-RUNS.csv is a table of forecast_runs.py; for sizes that the constants were not fitted to, make one with --sizes. For each line there
-are two forecasts: of the kind and the number of points alone, and from a sample of the points.
+Each construction runs in a process of its own, on one thread. Times are processor times, bytes the growth of the peak of resident memory.
+Bytes below 4 MB and times below 20 ms are shown, and not counted.
 """
 import argparse
-import csv
-import json
+import itertools
 import math
-import subprocess
-import tempfile
+import multiprocessing
+import pathlib
+import time
+
+import numpy
+
+import delone
 
 PROMISED = 1.5
+LEAST = {"cells": 0, "bytes": 4e6, "seconds": 0.02}
+SIZES = {1: 100000, 2: 100000, 3: 40000, 4: 10000, 5: 3000, 6: 1000, 7: 384, 8: 192}
+SLOW = {"cospherical": 20, "mixed_scales": 20, "moment": 20, "nudged_grid": 10, "sphere": 4, "ulp_sphere": 4}
 
 
-def stats(command, *arguments):
-    return json.loads(subprocess.run([command, "forecast", *arguments, "--threads", "1", "--stats"], capture_output=True, text=True, check=True).stdout)
+def memory(field):
+    with open("/proc/self/status", encoding="ascii") as status:
+        return next(int(line.split()[1]) * 1024 for line in status if line.startswith(field))
 
 
-def ratios(command, row):
-    """name -> (ratio of the forecast, ratio of the estimate)"""
-    size = ["-d", row["dimension"], "-n", row["points"]]
-    with tempfile.TemporaryDirectory() as folder:
-        path = f"{folder}/points.npy"
-        subprocess.run([command, "generate", row["kind"], *size, "--seed", "1", "-o", path], check=True)
-        made = stats(command, *size, "--kind", row["kind"]), stats(command, path)
-    return {name: tuple(forecast[name]["expected"] / float(row[name]) for forecast in made) for name in ("cells", "bytes", "seconds")}
+def construct(points):
+    delone.Delaunay(points[:10], threads=1)
+    pathlib.Path("/proc/self/clear_refs").write_text("5", encoding="ascii")
+    before, start = memory("VmRSS"), time.process_time()
+    triangulation = delone.Delaunay(points, threads=1)
+    return {"seconds": time.process_time() - start, "bytes": memory("VmHWM") - before, "cells": triangulation.num_cells}
 
 
-def shown(ratio):
-    return f"{ratio:.2f}" + ("*" if abs(math.log(ratio)) > math.log(PROMISED) else "")
+def sets_of_files(paths):
+    """name, points, forecast"""
+    for path in paths:
+        points = delone.read(path)
+        for count in range(2, points.shape[1] + 1):
+            for columns in itertools.combinations(range(points.shape[1]), count):
+                chosen = numpy.ascontiguousarray(points[:, columns])
+                yield f"{pathlib.Path(path).stem} {columns}", chosen, delone.estimate(chosen, threads=1)
+
+
+def sets_of_kinds(kinds):
+    for kind, dimension in itertools.product(kinds, SIZES):
+        n = max(SIZES[dimension] // SLOW.get(kind, 1), 30)
+        try:
+            points = delone.generate(kind, n, dimension)
+        except ValueError:  # some need two dimensions
+            continue
+        yield f"{kind} {dimension}D", points, delone.forecast(dimension, n, kind, threads=1)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("command")
-    parser.add_argument("table")
-    parser.add_argument("--markdown", action="store_true")
-    parser.add_argument("--all", action="store_true", help="every line, not only the largest of each kind and dimension")
-    parser.add_argument("--least", type=float, default=0.1, help="seconds; smaller constructions are left out")
+    parser.add_argument("files", nargs="*")
+    parser.add_argument("--kinds", nargs="*", help="of `delone generate`; all of them, if none is named")
     arguments = parser.parse_args()
-    with open(arguments.table, newline="", encoding="ascii") as file:
-        rows = [row for row in csv.DictReader(file) if float(row["seconds"]) >= arguments.least]
-    if not arguments.all:
-        rows = list({(row["kind"], row["dimension"]): row for row in rows}.values())
-    if arguments.markdown:
-        print("| kind | d | points | cells | seconds | cells | bytes | seconds |\n|---|---|---|---|---|---|---|---|")
-    outside, total = 0, 0
-    for row in rows:
-        found = ratios(arguments.command, row)
-        columns = [f"{shown(found[name][0])} {shown(found[name][1])}" for name in ("cells", "bytes", "seconds")]
-        outside += sum("*" in column for column in columns)
-        total += 3
-        line = [row["kind"], row["dimension"], row["points"], f"{int(row['cells']):.3g}", f"{float(row['seconds']):.2f}", *columns]
-        print("| " + " | ".join(line) + " |" if arguments.markdown else "  ".join(f"{x:>12}" for x in line), flush=True)
-    print(f"\n{outside} of {total} pairs have a ratio beyond {PROMISED} (*)")
+    sets = sets_of_files(arguments.files)
+    if arguments.kinds is not None:
+        sets = itertools.chain(sets, sets_of_kinds(arguments.kinds or ["uniform", "ball", "clusters", "cospherical", "flat", "gaussian", "grid",
+                                                                       "manifold", "moment", "nudged_grid", "plummer", "sphere"]))
+    beyond, total = dict.fromkeys(LEAST, 0), 0
+    for name, points, forecast in sets:
+        with multiprocessing.get_context("spawn").Pool(1) as pool:
+            found = pool.apply(construct, (points,))
+        ratios = {what: getattr(forecast, what) / found[what] for what in LEAST}
+        outside = {what for what, ratio in ratios.items() if found[what] >= LEAST[what] and abs(math.log(ratio)) > math.log(PROMISED)}
+        for what in outside:
+            beyond[what] += 1
+        total += 1
+        shown = "  ".join(f"{what} {ratio:5.2f}{'*' if what in outside else ' '}" for what, ratio in ratios.items())
+        print(f"{name:<36} {len(points):7} points  {found['cells']:9} cells  {found['seconds']:7.3f} s   {shown}", flush=True)
+    print(f"{total} sets; beyond {PROMISED} (*): " + ", ".join(f"{count} {what}" for what, count in beyond.items()))
 
 
 if __name__ == "__main__":

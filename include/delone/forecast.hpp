@@ -26,7 +26,7 @@ struct Forecast {
   int affine_dimension = -1;  ///< k ≤ d, if known from points; −1 for no points
   std::size_t num_points = 0;
   unsigned threads = 1;         ///< the number that will build
-  std::size_t num_sampled = 0;  ///< points of the largest triangulated sample; 0: only the model
+  std::size_t num_sampled = 0;  ///< points of the largest triangulated sample; 0: a closed form
   ForecastQuantity vertices;    ///< distinct points
   ForecastQuantity cells;       ///< finite ones
   ForecastQuantity bytes;       ///< the peak, on top of the points themselves
@@ -35,14 +35,15 @@ struct Forecast {
 
 /// A forecast for n points of a kind (point_set_kinds()), without any points.
 ///
-/// Uses closed forms if there are any (Poisson–Delaunay constants, Miles 1974, Møller 1994, which are limits
-/// for uniform points by Dwyer 1991, doi:10.1007/BF02574694; the moment curve by Gale's evenness condition;
-/// lattices by volume). The influence of the border and all costs are fitted to recorded constructions
-/// (benchmarks/fit_forecast.py). Times are scaled to this machine by building a small set, which takes about
-/// 50 milliseconds. For the recorded kinds, cells, bytes and seconds are within a factor of 1.5 of the truth
-/// in up to 8 dimensions; beyond 8 they are extrapolated and rough. `threads` as in Options.
+/// Uniform points have a closed form: the Poisson–Delaunay constant (Miles 1974, Møller 1994), which is their
+/// limit (Dwyer 1991, doi:10.1007/BF02574694), with measured constants for the influence of the border and
+/// for costs. Times are scaled to this machine by building a small set, which takes about 50 milliseconds.
+/// Lattices have cells by their volume, and the moment curve by Gale's evenness condition. What else is
+/// unknown follows from samples that are generated and triangulated, as estimate() does it. Within a factor
+/// of 1.5 of the truth in up to 8 dimensions; beyond 8 every kind is forecast as uniform points are, and
+/// roughly. `threads` as in Options.
 ///
-/// Throws Errc::bad_dimension unless dimension ≥ 1, and Errc::invalid_argument for an unknown kind.
+/// Throws Errc::bad_dimension unless dimension ≥ 1, invalid_argument for an unknown kind, and out_of_memory.
 DELONE_EXPORT Forecast forecast(int dimension, std::size_t num_points, std::string_view kind = "uniform",
                                 unsigned threads = 1);
 
@@ -56,9 +57,9 @@ struct EstimateOptions {
 
 /// A forecast for given points, from triangulations of samples: random subsets of growing size, chosen by a
 /// hash of the coordinates. Their size depends on time, all else on the set of points alone. Beyond the
-/// largest sample the growth is that of the recorded kinds that grew like the samples. A lattice, which no
-/// subset reveals, is recognized by the distances of nearest neighbors; its cells follow from its volume.
-/// Duplicates are counted.
+/// largest sample the number of cells is compared with that of points that are spread evenly, and the
+/// difference goes on as it did among the samples. A lattice, which no subset reveals, is recognized by the
+/// distances of nearest neighbors; its cells follow from its volume. Duplicates are counted.
 ///
 /// Cost: about a twentieth of the construction or 0.3 seconds, at most sample_seconds, and O(n·d) to read the
 /// points, up to 15 times. Throws Errc::not_finite, bad_dimension, cancelled, out_of_memory, and

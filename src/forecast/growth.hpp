@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a construction grows beyond samples of its points: like the recorded kinds that have grown as the
-// samples have.
+// How a construction grows beyond samples of its points: what the samples show, beside points that are spread
+// evenly.
 #pragma once
 
 #include "forecast/model/cost.hpp"
@@ -17,13 +17,17 @@ struct SampleCost {
   bool is_hard = false;  ///< many signs took exact arithmetic
 };
 
-struct Grown {
-  Cost cost;
-  double factor = 1.1;  ///< by which the number of cells may be wrong
+/// The number of cells of the whole.
+struct GrownCells {
+  double cells = 0;
+  double factor = 1.1;  ///< by which it may be wrong
 };
 
-/// What n points, of which `vertices` are distinct, cost, from samples of growing size in the same flat.
+/// Of `vertices` distinct points, from samples of growing size in one flat. REQUIRES a sample with cells.
+GrownCells grown_cells(std::span<const SampleCost> samples, double vertices);
+
+/// What n points in d dimensions cost, `vertices` of them distinct, if they have this number of cells.
 /// REQUIRES a sample with cells.
-Grown grown(std::span<const SampleCost> samples, int d, double n, double vertices);
+Cost grown_cost(std::span<const SampleCost> samples, int d, double n, double vertices, double cells);
 
 }  // namespace delone::cost_model

@@ -109,10 +109,11 @@ LatticePoints find_lattice(std::span<const double> coordinates, int dimension,
     most_values = std::max(most_values, apart);
   }
   const double fill = num_distinct / points;
-  const bool is_parallel = fill >= 0.4;
-  lattice.kind = is_rounded ? "nudged_grid" : is_parallel ? "grid" : "tilted_grid";
-  if (is_parallel && most_values > grid_side(dimension, num_distinct))
-    lattice.hull_volume = boxes * std::min(fill, 1.0);
+  lattice.has_ties = !is_rounded;
+  const double side = grid_side(dimension, num_distinct);
+  lattice.hull_volume = fill >= 0.4 && most_values > side  // parallel to the axes
+                            ? boxes * std::min(fill, 1.0)
+                            : lattice_hull(dimension, num_distinct, side).volume;
   return lattice;
 }
 

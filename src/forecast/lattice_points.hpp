@@ -5,15 +5,14 @@
 
 #include <cstddef>
 #include <span>
-#include <string_view>
 #include <vector>
 
 namespace delone::cost_model {
 
 struct LatticePoints {
   bool found = false;
-  std::string_view kind;   ///< of the named point sets, the one that they are most like
-  double hull_volume = 0;  ///< in boxes; 0: not known, that of a grid with equal sides
+  bool has_ties = false;   ///< exactly a lattice, not rounded: its cells have the volume of a simplex of it
+  double hull_volume = 0;  ///< in boxes
 };
 
 /// `rows`: a random subset of the points, which are `num_distinct`. Nearest neighbors of a few are looked for

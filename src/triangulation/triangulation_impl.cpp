@@ -159,7 +159,7 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
   const std::size_t vertices_before = points.last_vertex();
   limits.set_model([&] {  // of a set spread evenly
     const cost_model::Cost cost =
-        cost_model::cost_of_spread(dimension, static_cast<double>(vertices_before + n), 1);
+        cost_model::cost_of_spread(dimension, static_cast<double>(vertices_before + n));
     return internal::WholeCost{cost.bytes, cost.seconds};
   });
   const internal::ProgressMeter meter(options.progress);

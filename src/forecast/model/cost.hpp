@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a construction costs according to a curve.
+// What the construction of points that are spread evenly costs.
 #pragma once
-
-#include "forecast/model/curves.hpp"
-
-#include <string_view>
 
 namespace delone::cost_model {
 
@@ -14,23 +10,23 @@ struct Cost {
   double cells = 0, infinite_cells = 0, created_cells = 0;
   double bytes = 0;    ///< that the process needs at the peak, the points of the caller apart
   double seconds = 0;  ///< of one thread, on the machine of the measurements
+  double beyond = 1;   ///< how many times as many vertices as the largest measured set has; at least 1
 };
 
-/// A curve for point sets spread evenly in any dimension; beyond 8 it is continued from there.
-Curve curve_of_spread(int dimension);
-/// The curve of a kind in a dimension; nothing where none was measured.
-const Curve* find_curve(std::string_view kind, int dimension);
+/// Beyond this dimension costs are continued, and rough.
+inline constexpr int largest_measured_dimension = 8;
 
-/// Points whose distinct ones are `vertices`, in d coordinates each. `hull_volume`: of lattices, in boxes; 0:
-/// that of a grid with equal sides.
-Cost cost_of(const Curve& curve, int d, double points, double vertices, double hull_volume = 0);
-/// Points spread evenly in d dimensions, `speed` times as fast as the machine of the measurements.
-Cost cost_of_spread(int d, double points, double speed);
+/// Points that are spread evenly over k dimensions, `vertices` of them distinct, with d coordinates each.
+/// `wraps`: cells are wrapped where this costs less than to insert points. REQUIRES k ≥ 1.
+Cost cost_of_spread(int k, int d, double points, double vertices, bool wraps);
+/// Distinct points that are spread evenly over d dimensions.
+inline Cost cost_of_spread(int d, double points) { return cost_of_spread(d, d, points, points, true); }
 
-/// Whether so many points of k dimensions are wrapped, unless that fails.
-bool is_worth_wrapping(int k, double points);
+/// Bytes for `cells` cells in k dimensions, finite and infinite ones, and their points, as above.
+double bytes_of(int k, int d, double points, double vertices, double cells, bool wraps);
 
-/// The number of distinct points among n of a kind.
-double distinct_points(std::string_view kind, int d, double n);
+/// Nanoseconds per created cell of the set by which the speed of a machine is measured (speed.hpp), on the
+/// machine of the measurements.
+inline constexpr double reference_nanoseconds = 74;
 
 }  // namespace delone::cost_model
