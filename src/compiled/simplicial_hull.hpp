@@ -7,8 +7,8 @@
 // of one vertex (k = 1) cannot be oriented: cell 0 is the lower end, cell 1 the upper one.
 #pragma once
 
-#include "kernel/grid.hpp"
 #include "kernel/stages.hpp"
+#include "sites/site_set.hpp"
 
 #include <delone/types.hpp>
 
@@ -18,26 +18,12 @@
 
 namespace delone::internal {
 
-/// The distinct points ("sites") by id, and the axes of their flat.
-struct HullSites {
-  explicit HullSites(int dimension) : ambient(dimension), grid(dimension) {}
-
-  std::size_t size() const { return coordinates.size() / static_cast<std::size_t>(ambient); }
-  const double* point(Index site) const {
-    return coordinates.data() + static_cast<std::size_t>(site) * static_cast<std::size_t>(ambient);
-  }
-  kernel::Flat flat() const { return {ambient, axes}; }
-
-  int ambient;
-  std::vector<double> coordinates;
-  kernel::Grid grid;
-  std::vector<int> axes;
-};
+using sites::SiteSet;
 
 struct SimplicialHull {
   int dimension = -1;                   ///< k; cells exist for k ≥ 1 only
   std::vector<Index> cells, neighbors;  ///< m×k: sites; cells across the ridge opposite each vertex
-  std::vector<Index> slots;             ///< where the cells of a HullEngine are in its memory, increasing
+  std::vector<Index> slots;             ///< where the cells of a BoundaryEngine are in its memory, increasing
 
   std::size_t corners() const { return static_cast<std::size_t>(dimension < 0 ? 0 : dimension); }
   std::size_t num_cells() const { return dimension < 1 ? 0 : cells.size() / corners(); }
@@ -49,7 +35,7 @@ struct SimplicialHull {
 
 /// The exact sign of det(v_i − q), i < k, for k sites; `grid` is one for the sites and q. `scratch` saves an
 /// allocation.
-inline Sign side_of_sites(const HullSites& sites, std::span<const Index> cell, const double* q,
+inline Sign side_of_sites(const SiteSet& sites, std::span<const Index> cell, const double* q,
                           const kernel::Grid& grid, std::vector<const double*>& scratch) {
   scratch.assign(1, q);
   for (const Index site : cell) scratch.push_back(sites.point(site));
@@ -57,7 +43,7 @@ inline Sign side_of_sites(const HullSites& sites, std::span<const Index> cell, c
 }
 
 /// The exact side of cell c that q is on: + inside, 0 on its hyperplane, − beyond. REQUIRES q in the flat.
-inline Sign side_of_cell(const HullSites& sites, const SimplicialHull& hull, std::size_t c, const double* q,
+inline Sign side_of_cell(const SiteSet& sites, const SimplicialHull& hull, std::size_t c, const double* q,
                          const kernel::Grid& grid, std::vector<const double*>& scratch) {
   const Sign sign = side_of_sites(sites, hull.cell(c), q, grid, scratch);
   return hull.dimension == 1 && c == 0 ? -sign : sign;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Polyhedron: rows to distinct sites, rank, interior point; halfspace_cone.hpp makes the boundary,
+// Polyhedron: rows to distinct sites, rank, interior point; hull/boundary.hpp makes the boundary,
 // intersection_arrays.hpp the arrays.
 #include "base/build_limits.hpp"
 #include "base/guarded.hpp"
@@ -8,6 +8,7 @@
 #include "base/require_finite.hpp"
 #include "base/require_tolerance.hpp"
 #include "base/stopwatch.hpp"
+#include "halfspaces/halfspace_cone.hpp"
 #include "halfspaces/interior_point.hpp"
 #include "halfspaces/intersection_arrays.hpp"
 #include "halfspaces/sites_to_insert.hpp"
@@ -27,7 +28,6 @@
 namespace delone {
 namespace {
 
-using internal::DualSites;
 using internal::InteriorPoint;
 using internal::IntersectionParts;
 using internal::SitesToInsert;
@@ -147,7 +147,7 @@ struct Polyhedron::Impl {
     normals.add(origin.data());
     parts.basis = {0};
     for (Index site = 1; site < parts.sites.size() && normals.dimension() < static_cast<int>(d); ++site)
-      if (normals.add(parts.sites.row(site))) parts.basis.push_back(site);
+      if (normals.add(parts.sites.point(site))) parts.basis.push_back(site);
     parts.sites.axes = normals.axes();
     parts.sites.axes.push_back(static_cast<int>(d));
     for (Index site = 0; site < parts.sites.size(); ++site) parts.add_dual(site);
@@ -162,15 +162,24 @@ struct Polyhedron::Impl {
     stopwatch.restart();
     std::vector<Index> order = sites.order;
     if (!parts.cone) {
-      parts.cone.emplace(parts.sites, parts.basis, parts.interior);
+      parts.cone.emplace(parts.sites, parts.basis,
+                         internal::view_from_inside(parts.sites, parts.basis, parts.interior));
       std::erase_if(order, [&](Index site) {
         return std::binary_search(parts.basis.begin(), parts.basis.end(), site);
       });
+    } else {
+      parts.cone->include_sites(first);
     }
     for (const Index site : sites.inner) parts.cone->leave_out(site);
     internal::ProgressMeter progress(options.progress, order.size());
+    // As given means in that order.
+    const bool is_shared =
+        options.order != InsertionOrder::as_given && parts.cone->shares_batches_of(order.size());
+    // The order of sites is no function of timing; that of their rows is none either.
+    if (is_shared || parts.cone->was_shared()) parts.cone->prepare_for_threads(order);
     const unsigned threads =
-        parts.cone->insert_all(order, sites.rounds, options, [&](std::size_t done) { progress(done); });
+        is_shared ? engine::threads_for_batch(options.threads, order.size(), parts.rank() - 1) : 1;
+    parts.cone->insert_all(order, sites.rounds, threads, [&](std::size_t done) { progress(done); });
     most_threads = std::max(most_threads, threads);
     build_seconds += stopwatch.seconds();
   }
@@ -219,7 +228,7 @@ struct Polyhedron::Impl {
     const std::vector<double> origin(d, 0.0);
     normals.add(origin.data());
     for (const Index site : current->basis)
-      if (site != 0) normals.add(current->sites.row(site));
+      if (site != 0) normals.add(current->sites.point(site));
     for (std::size_t i = 0; i < added.size(); i += d + 1)
       if (normals.add(&added[i])) return true;
     return false;
@@ -309,7 +318,7 @@ double Polyhedron::dual_volume() const { return internal::dual_measure(*impl_->c
 double Polyhedron::dual_area() const { return internal::dual_measure(*impl_->current, false); }
 
 std::size_t Polyhedron::num_cells() const {
-  return impl_->current->cone ? impl_->current->cone->hull().num_cells() : 0;
+  return impl_->current->cone ? impl_->current->cone->make_hull().num_cells() : 0;
 }
 
 Statistics Polyhedron::statistics() const {

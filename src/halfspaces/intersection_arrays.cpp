@@ -10,6 +10,7 @@
 
 #include "base/progress_meter.hpp"
 #include "base/random.hpp"
+#include "halfspaces/halfspace_cone.hpp"
 #include "halfspaces/halfspace_vertex.hpp"
 #include "hull/hull_faces.hpp"
 #include "hull/hull_measure.hpp"
@@ -49,13 +50,13 @@ class ArrayMaker {
     axes_.assign(sites_.axes.begin(), sites_.axes.begin() + static_cast<std::ptrdiff_t>(k_));
     data_.axes = axes_;
     std::vector<const double*> basis;
-    for (std::size_t i = 1; i < parts_.basis.size(); ++i) basis.push_back(sites_.row(parts_.basis[i]));
+    for (std::size_t i = 1; i < parts_.basis.size(); ++i) basis.push_back(sites_.point(parts_.basis[i]));
     data_.lineality = lineality_basis(basis, axes_, d_);
     kind_of_site_.assign(sites_.size(), HalfspaceKind::redundant);
     data_.vertex_offsets = data_.direction_offsets = data_.facet_offsets =
         data_.facet_direction_offsets = {0};
     if (parts_.cone) {
-      hull_ = parts_.cone->hull();
+      hull_ = parts_.cone->make_hull();
       merge_cells();
       classify();
       make_vertices();
@@ -78,10 +79,10 @@ class ArrayMaker {
       cell_of_facet_[faces_.facet_of_cell[c]] = static_cast<Index>(c);
     std::vector<char> is_corner(sites_.size(), 0);
     for (const Index site : hull_.cells) is_corner[site] = 1;
-    data_.bounded = k_ == d_ && !is_corner[0] && !parts_.cone->cell_through(hull_, 0);
+    data_.bounded = k_ == d_ && !is_corner[0] && !cell_through(*parts_.cone, hull_, 0);
     if (!data_.bounded)
       for (std::size_t f = 0; f < num_facets; ++f)
-        is_at_infinity_[f] = parts_.cone->side(hull_, cell_of_facet_[f], 0) == Sign::zero;
+        is_at_infinity_[f] = side_of_cell(*parts_.cone, hull_, cell_of_facet_[f], 0) == Sign::zero;
     for (Index site = 1; site < sites_.size(); ++site)
       if (!is_corner[site]) inner_sites_.push_back(site);
   }
@@ -94,7 +95,7 @@ class ArrayMaker {
         else if (!is_at_infinity_[faces_.facet_of_cell[c]])
           kind_of_site_[site] = HalfspaceKind::touching;
     for (const Index site : inner_sites_)
-      if (const auto cell = parts_.cone->cell_through(hull_, site); cell && touches(site, *cell))
+      if (const auto cell = cell_through(*parts_.cone, hull_, site); cell && touches(site, *cell))
         kind_of_site_[site] = HalfspaceKind::touching;
   }
 
@@ -106,7 +107,7 @@ class ArrayMaker {
       if (!is_at_infinity_[faces_.facet_of_cell[seen[next]]]) return true;
       for (const Index across : hull_.neighbors_of(seen[next]))
         if (std::find(seen.begin(), seen.end(), across) == seen.end() &&
-            parts_.cone->side(hull_, across, site) == Sign::zero)
+            side_of_cell(*parts_.cone, hull_, across, site) == Sign::zero)
           seen.push_back(across);
     }
     return false;
@@ -128,7 +129,7 @@ class ArrayMaker {
       std::sort(halfspaces.begin() + static_cast<std::ptrdiff_t>(first), halfspaces.end());
       offsets.push_back(static_cast<SignedIndex>(halfspaces.size()));
       rows.clear();
-      for (const Index site : hull_.cell(cell_of_facet_[f])) rows.push_back(sites_.row(site));
+      for (const Index site : hull_.cell(cell_of_facet_[f])) rows.push_back(sites_.point(site));
       if (!is_at_infinity_[f]) {
         rows_of_vertices.insert(rows_of_vertices.end(), rows.begin(), rows.end());
         continue;
@@ -247,7 +248,7 @@ class ArrayMaker {
       if (site != invalid_index && k_ == d_)
         std::copy_n(sites_.dual(site), d_, dual.begin());
       else if (site != invalid_index)
-        dual_point(sites_.row(site), parts_.interior, all, dual.data());
+        dual_point(sites_.point(site), parts_.interior, all, dual.data());
       data_.dual_points.insert(data_.dual_points.end(), dual.begin(),
                                dual.begin() + static_cast<std::ptrdiff_t>(d_));
     }
@@ -268,7 +269,7 @@ class ArrayMaker {
   }
 
   const IntersectionParts& parts_;
-  const DualSites& sites_;
+  const SiteSet& sites_;
   std::size_t d_, k_;
   std::vector<int> axes_;
   SimplicialHull hull_;
@@ -298,11 +299,11 @@ std::uint64_t ray_tag(const double* row, std::size_t size) {
 
 }  // namespace
 
-IntersectionParts::IntersectionParts(std::size_t d) {
-  sites.row_size = d + 1;
-  sites.rows.assign(d + 1, 0.0);
-  sites.rows[d] = -1;
-  site_at.add(ray_tag(sites.row(0), d + 1), 0);
+IntersectionParts::IntersectionParts(std::size_t d)
+    : sites(static_cast<int>(d) + 1, kernel::RowForm::homogeneous) {
+  sites.coordinates.assign(d + 1, 0.0);
+  sites.coordinates[d] = -1;
+  site_at.add(ray_tag(sites.point(0), d + 1), 0);
   interior.rounded.assign(d, 0.0);
 }
 
@@ -321,7 +322,7 @@ IntersectionParts::IntersectionParts(const IntersectionParts& other)
 void IntersectionParts::reserve(std::size_t more) {
   if (more < site_of_row.size()) return;  // then vectors grow by themselves
   site_at.reserve(sites.size() + more);
-  sites.rows.reserve(sites.rows.size() + more * sites.row_size);
+  sites.coordinates.reserve(sites.coordinates.size() + more * static_cast<std::size_t>(sites.ambient));
   row_of_site.reserve(row_of_site.size() + more);
   site_of_row.reserve(site_of_row.size() + more);
 }
@@ -330,17 +331,18 @@ void IntersectionParts::add_dual(Index site) {
   const std::size_t k = sites.axes.size() - 1;
   sites.duals.resize((static_cast<std::size_t>(site) + 1) * 2 * k, 0.0);
   if (site != 0)
-    dual_point(sites.row(site), interior, std::span(sites.axes).first(k), sites.duals.data() + site * 2 * k);
+    dual_point(sites.point(site), interior, std::span(sites.axes).first(k),
+               sites.duals.data() + site * 2 * k);
 }
 
 Index IntersectionParts::site_of_ray(const double* row, SignedIndex r) {
-  const std::uint64_t tag = ray_tag(row, sites.row_size);
-  const Index found = site_at.find(tag, [&](Index site) {
-    return kernel::compare_rays(sites.row(site), row, static_cast<int>(sites.row_size)) == 0;
-  });
+  const auto size = static_cast<std::size_t>(sites.ambient);
+  const std::uint64_t tag = ray_tag(row, size);
+  const Index found =
+      site_at.find(tag, [&](Index site) { return kernel::equal_rows(sites.flat(), sites.point(site), row); });
   if (found != invalid_index) return found;
   const auto site = static_cast<Index>(sites.size());
-  sites.rows.insert(sites.rows.end(), row, row + sites.row_size);
+  sites.coordinates.insert(sites.coordinates.end(), row, row + size);
   row_of_site.push_back(r);
   site_at.add(tag, site);
   if (!sites.axes.empty()) add_dual(site);
@@ -348,9 +350,10 @@ Index IntersectionParts::site_of_ray(const double* row, SignedIndex r) {
 }
 
 void IntersectionParts::drop_sites(Index first_site, std::size_t first_row) noexcept {
+  const auto size = static_cast<std::size_t>(sites.ambient);
   for (auto site = static_cast<Index>(sites.size()); site-- > first_site;)
-    site_at.remove_last(ray_tag(sites.row(site), sites.row_size), site);
-  sites.rows.resize(first_site * sites.row_size);
+    site_at.remove_last(ray_tag(sites.point(site), size), site);
+  sites.coordinates.resize(first_site * size);
   sites.duals.resize(std::min(sites.duals.size(), std::size_t{first_site} * 2 * (sites.axes.size() - 1)));
   row_of_site.resize(std::min(row_of_site.size(), std::size_t{first_site}));
   site_of_row.resize(std::min(site_of_row.size(), first_row));
@@ -375,7 +378,7 @@ double dual_measure(const IntersectionParts& parts, bool volume) {
   const auto d = parts.interior.rounded.size();
   if (!parts.cone || static_cast<std::size_t>(parts.rank()) != d)
     return std::numeric_limits<double>::quiet_NaN();
-  const SimplicialHull hull = parts.cone->hull();
+  const SimplicialHull hull = parts.cone->make_hull();
   if (d == 1 && !volume) return 2;
   MeasureSum sum;
   std::vector<const double*> simplex;

@@ -2,7 +2,8 @@
 // The state of an intersection of halfspaces, and the arrays that describe it.
 #pragma once
 
-#include "halfspaces/halfspace_cone.hpp"
+#include "halfspaces/halfspace_dual.hpp"
+#include "hull/boundary.hpp"
 #include "hull/site_table.hpp"
 
 #include <delone/halfspaces.hpp>
@@ -30,7 +31,7 @@ struct IntersectionParts {
   /// Takes back the sites and rows from these on, some of which may have been added in part only.
   void drop_sites(Index first_site, std::size_t first_row) noexcept;
 
-  DualSites sites;
+  SiteSet sites;
   SiteTable site_at;
   std::vector<SignedIndex> row_of_site{-1};  // the first row of each site; −1 for the row at infinity
   std::vector<Index> site_of_row;            // invalid_index for rows without a normal
@@ -38,7 +39,7 @@ struct IntersectionParts {
   InteriorPoint interior;
   IntersectionState state = IntersectionState::full;
   std::vector<SignedIndex> witness;
-  std::optional<HalfspaceCone> cone;  // empty while the rank is 0
+  std::optional<Boundary> cone;  // empty while the rank is 0
 };
 
 /// Whether n·p + c < 0. Exact.

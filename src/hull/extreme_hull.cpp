@@ -51,7 +51,7 @@ class Refinement {
     GrowingShell growth(sieve_, tolerance, [] {});
     if (!growth.is_possible() || !growth.run(most_work / (sieve_.num_remaining() + 1))) return false;
     const HullState& shell = sieve_.shell();
-    const HullLocator locator(shell.sites(), *shell.builder());
+    const HullLocator locator(shell.sites(), *shell.boundary());
     kernel::Grid grid = shell.sites().grid;
     for (const std::size_t i : growth.covered()) grid.include(point(i).data());
     std::vector<std::size_t> beyond;
@@ -161,7 +161,7 @@ class Refinement {
   }
   template <int D>
   std::vector<std::size_t> exactly_beyond() const {
-    const HullSites& sites = sieve_.shell().sites();
+    const SiteSet& sites = sieve_.shell().sites();
     const std::vector<Facet> all = facets();
     std::vector<const double*> corners(ambient());
     std::vector<std::size_t> beyond;

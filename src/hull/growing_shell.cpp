@@ -77,7 +77,7 @@ class GrowingShell::Cones {
     for (std::size_t r = 0; r < d_; ++r) std::copy_n(matrix_.data() + r * width + d_, d_, result + r * d_);
   }
 
-  const HullSites& sites_;
+  const SiteSet& sites_;
   const SimplicialHull& hull_;
   const double* center_;
   std::size_t d_;
@@ -97,7 +97,7 @@ GrowingShell::~GrowingShell() = default;
 bool GrowingShell::is_possible() {
   const auto& reach = sieve_.box().reach;
   return std::all_of(reach.begin(), reach.end(), [](double x) { return x > 0x1p-300 && x < 0x1p300; }) &&
-         shell().builder() != nullptr && builder().has_center() && builder().boundary() != nullptr;
+         shell().boundary() != nullptr && boundary().has_center() && boundary().engine() != nullptr;
 }
 
 bool GrowingShell::run(std::size_t most_vertices) {
@@ -116,7 +116,7 @@ bool GrowingShell::run(std::size_t most_vertices) {
 
 std::size_t GrowingShell::cell_of(std::size_t point_number) {
   if (!cones_) {
-    cones_ = std::make_unique<Cones>(shell(), builder().center().data());
+    cones_ = std::make_unique<Cones>(shell(), boundary().center().data());
     cell_ = 0;
   }
   walk(*cones_, point(point_number));
@@ -149,7 +149,7 @@ double GrowingShell::distance_up(const Cones& cones, std::size_t cell) {
 /// Walks to the cone of a point and returns a bound on its distance; cell_ is where it ends.
 double GrowingShell::walk(Cones& cones, const double* p) {
   constexpr int most_steps = 100;
-  const double* const center = builder().center().data();
+  const double* const center = boundary().center().data();
   for (std::size_t j = 0; j < d_; ++j) difference_[j] = p[j] - center[j];
   double best = infinity;
   for (int step = 0; step < most_steps; ++step) {
@@ -177,9 +177,9 @@ double GrowingShell::walk(Cones& cones, const double* p) {
 
 /// Takes out the open points that are covered or in the interior; sets cells_ for the others.
 void GrowingShell::cover() {
-  cones_ = std::make_unique<Cones>(shell(), builder().center().data());
+  cones_ = std::make_unique<Cones>(shell(), boundary().center().data());
   Cones& cones = *cones_;
-  const HullEngine& boundary = *builder().boundary();
+  const BoundaryEngine& engine = *boundary().engine();
   std::vector<Index> start(1);
   cells_.clear();
   cell_ = 0;
@@ -188,7 +188,7 @@ void GrowingShell::cover() {
     const double distance = walk(cones, point(i));
     if (distance <= tolerance_) {
       start[0] = cones.hull().slots[cell_];
-      if (sum_ < 1 - 0x1p-30 && boundary.descend(point(i), start).second == Sign::positive) continue;
+      if (sum_ < 1 - 0x1p-30 && descend(engine, point(i), start).second == Sign::positive) continue;
       covered_.push_back(i);
     } else {
       open_[left++] = i;
@@ -203,11 +203,11 @@ bool GrowingShell::extend() {
   const SimplicialHull& hull = shell().hull();
   std::sort(cells_.begin(), cells_.end());
   cells_.erase(std::unique(cells_.begin(), cells_.end()), cells_.end());
-  LinearFunctions functions{builder().center(), std::vector<double>(cells_.size() * d_)};
+  LinearFunctions functions{boundary().center(), std::vector<double>(cells_.size() * d_)};
   std::vector<double> heights;
   for (std::size_t f = 0; f < cells_.size(); ++f) {
     double* const normal = functions.normals.data() + f * d_;
-    const double threshold = builder().boundary()->hyperplane(hull.slots[cells_[f]], normal);
+    const double threshold = hyperplane(*boundary().engine(), hull.slots[cells_[f]], normal);
     const double square = std::inner_product(normal, normal + d_, normal, 0.0);
     heights.push_back(1 + threshold + std::sqrt(square) * tolerance_);
     if (heights.back() < infinity) continue;

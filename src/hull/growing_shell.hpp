@@ -38,7 +38,7 @@ class GrowingShell {
 
   const double* point(std::size_t i) const { return sieve_.remaining_points().data() + i * d_; }
   HullState& shell() { return sieve_.shell(); }
-  const ConvexHullBuilder& builder() { return *shell().builder(); }
+  const Boundary& boundary() { return *shell().boundary(); }
   double distance_up(const Cones& cones, std::size_t cell);
   double walk(Cones& cones, const double* p);
   void cover();

@@ -12,16 +12,15 @@ namespace delone::internal {
 
 HullAnalysis::HullAnalysis(const HullState& state, const HullTolerance& tolerance, unsigned threads)
     : state_(state), tolerance_(tolerance), threads_(threads) {
-  if (state.builder() != nullptr) locator_.emplace(state.sites(), *state.builder());
+  if (state.boundary() != nullptr) locator_.emplace(state.sites(), *state.boundary());
 }
 
 const PolytopeFaces& HullAnalysis::faces() const {
   return faces_.get([&] {
-    const HullEngine* boundary = state_.builder() == nullptr ? nullptr : state_.builder()->boundary();
     const SimplicialHull& hull = state_.hull();
     if (tolerance_.tolerance > 0) return label_facets(state_.sites(), hull, tolerance_.tolerance);
     std::vector<std::pair<Index, Index>> coplanar;
-    if (boundary != nullptr) coplanar = boundary->coplanar_neighbors(hull);
+    if (state_.boundary() != nullptr) coplanar = state_.boundary()->coplanar_neighbors(hull);
     return find_faces(hull, state_.sites().size(), coplanar);
   });
 }
@@ -61,7 +60,7 @@ const HullData& HullAnalysis::data() const {
 }
 
 std::vector<PointKind> HullAnalysis::find_kinds() const {
-  const HullSites& sites = state_.sites();
+  const SiteSet& sites = state_.sites();
   const PolytopeFaces& faces = this->faces();
   std::vector<char> is_corner(sites.size(), 0);
   for (const Index site : state_.hull().cells) is_corner[site] = 1;
@@ -100,7 +99,7 @@ std::vector<PointKind> HullAnalysis::find_kinds() const {
 }
 
 FacetEquations HullAnalysis::equations(HullMeasures* measures) const {
-  const HullSites& sites = state_.sites();
+  const SiteSet& sites = state_.sites();
   std::vector<const double*> scratch;
   return facet_equations(
       sites, state_.hull(), faces().facet_of_cell, faces().num_facets(),
@@ -115,7 +114,7 @@ FacetEquations HullAnalysis::equations(HullMeasures* measures) const {
 }
 
 HullData HullAnalysis::make_data() const {
-  const HullSites& sites = state_.sites();
+  const SiteSet& sites = state_.sites();
   const SimplicialHull& hull = state_.hull();
   HullData data;
   data.dimension = sites.ambient;

@@ -4,12 +4,14 @@
 #include "base/compiled_dimension.hpp"
 #include "base/progress_meter.hpp"
 
+#include <utility>
+
 namespace delone::internal {
 namespace {
 
 /// K is the dimension of the flat, or 0.
 template <int K>
-std::size_t walk(const HullSites& sites, const SimplicialHull& hull, const double* center, const double* q,
+std::size_t walk(const SiteSet& sites, const SimplicialHull& hull, const double* center, const double* q,
                  std::size_t start, const kernel::Grid& grid) {
   const std::size_t k = hull.corners();
   std::vector<const double*> simplex(k + 1, center);
@@ -31,7 +33,28 @@ std::size_t walk(const HullSites& sites, const SimplicialHull& hull, const doubl
 
 }  // namespace
 
-std::size_t walk_cones(const HullSites& sites, const SimplicialHull& hull, const std::vector<double>& center,
+CentralView view_from_inside(const SiteSet& sites, const std::vector<Index>& simplex) {
+  CentralView view(sites.grid);
+  view.center.assign(static_cast<std::size_t>(sites.ambient), 0.0);
+  std::vector<const double*> points;
+  for (const Index site : simplex) points.push_back(sites.point(site));
+  const kernel::Flat flat = sites.flat();
+  const Sign orientation = kernel::orientation<0>(flat, points.data(), sites.grid);
+  view.is_inside =
+      choose_interior_point(sites, simplex, view.center, [&](const double* point, const kernel::Grid& grid) {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+          const double* const vertex = std::exchange(points[i], point);
+          const Sign side = kernel::orientation<0>(flat, points.data(), grid);
+          points[i] = vertex;
+          if (side != orientation) return false;
+        }
+        return true;
+      });
+  view.grid.include(view.center.data());
+  return view;
+}
+
+std::size_t walk_cones(const SiteSet& sites, const SimplicialHull& hull, const std::vector<double>& center,
                        const double* q, std::size_t start, const kernel::Grid& grid) {
   kernel::Grid grid_of_all = grid;
   grid_of_all.include(center.data());

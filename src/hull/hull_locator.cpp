@@ -15,8 +15,8 @@ namespace delone::internal {
 Sign HullLocator::side(std::size_t cell, const double* q, const kernel::Grid& grid,
                        std::vector<const double*>& scratch) const {
   cancellation_point();
-  if (const HullEngine* boundary = builder_.boundary())
-    if (const Sign sign = boundary->certain_side(hull_.slots[cell], q); sign != Sign::zero) return sign;
+  if (const BoundaryEngine* const engine = boundary_.engine())
+    if (const Sign sign = certain_side(*engine, hull_.slots[cell], q); sign != Sign::zero) return sign;
   if (hull_.dimension == 1) return side_of_cell(sites_, hull_, cell, q, grid, scratch);
   scratch.clear();
   for (const Index site : hull_.cell(cell)) scratch.push_back(sites_.point(site));
@@ -32,7 +32,7 @@ HullLocator::Result HullLocator::locate(const double* q, const kernel::Grid& gri
   const auto [near, sign] = approach(q);
   if (sign == Sign::negative) return {near, sign};
   // Where cells share a hyperplane, the approach may have ended at another cell than that of the cone.
-  const std::size_t c = walk_cones(sites_, hull_, builder_.center(), q, near, grid);
+  const std::size_t c = walk_cones(sites_, hull_, boundary_.center(), q, near, grid);
   std::vector<const double*> scratch;
   return {c, sign == Sign::positive ? sign : side(c, q, grid, scratch)};
 }
@@ -56,21 +56,21 @@ bool HullLocator::is_in_interior(const double* q, const kernel::Grid& grid) cons
 
 HullLocator::Result HullLocator::locate_from(std::size_t start, const double* q,
                                              const kernel::Grid& grid) const {
-  const std::size_t c = walk_cones(sites_, hull_, builder_.center(), q, start, grid);
+  const std::size_t c = walk_cones(sites_, hull_, boundary_.center(), q, start, grid);
   std::vector<const double*> scratch;
   return {c, side(c, q, grid, scratch)};
 }
 
-bool HullLocator::has_fan() const { return builder_.boundary() != nullptr && builder_.has_center(); }
+bool HullLocator::has_fan() const { return boundary_.engine() != nullptr && boundary_.has_center(); }
 
-/// A cell near the ray from the center through q, and what is certain of q: as HullEngine::descend().
+/// A cell near the ray from the center through q, and what is certain of q: as descend().
 HullLocator::Result HullLocator::approach(const double* q) const {
   // Start at the best of a sample of cells, which keeps the walk short in large hulls.
   const std::size_t m = hull_.num_cells();
   const auto sample = static_cast<std::size_t>(std::sqrt(static_cast<double>(m)) / 4) + 1;
   std::vector<Index> candidates;
   for (std::size_t i = 0; i < sample; ++i) candidates.push_back(hull_.slots[i * (m / sample)]);
-  const auto [slot, sign] = builder_.boundary()->descend(q, candidates);
+  const auto [slot, sign] = descend(*boundary_.engine(), q, candidates);
   const auto at = std::lower_bound(hull_.slots.begin(), hull_.slots.end(), slot);
   return {static_cast<std::size_t>(at - hull_.slots.begin()), sign};
 }

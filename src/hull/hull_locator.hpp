@@ -5,7 +5,7 @@
 #pragma once
 
 #include "compiled/simplicial_hull.hpp"
-#include "hull/hull_builder.hpp"
+#include "hull/boundary.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -15,8 +15,8 @@ namespace delone::internal {
 class HullLocator {
  public:
   /// Both arguments must outlive this object and must not change. O(1).
-  HullLocator(const HullSites& sites, const ConvexHullBuilder& builder)
-      : sites_(sites), builder_(builder), hull_(builder.hull()) {}
+  HullLocator(const SiteSet& sites, const Boundary& boundary)
+      : sites_(sites), boundary_(boundary), hull_(boundary.hull()) {}
 
   struct Result {
     std::size_t cell;
@@ -48,8 +48,8 @@ class HullLocator {
   Result approach(const double* q) const;
   Result search_all(const double* q, const kernel::Grid& grid) const;
 
-  const HullSites& sites_;
-  const ConvexHullBuilder& builder_;
+  const SiteSet& sites_;
+  const Boundary& boundary_;
   const SimplicialHull& hull_;
 };
 

@@ -4,7 +4,7 @@
 #include "base/large_vector.hpp"
 #include "base/stopwatch.hpp"
 #include "complex/canonical_hash.hpp"
-#include "hull/insert_in_threads.hpp"
+#include "hull/hull_fan.hpp"
 #include "hull/outermost_sites.hpp"
 #include "hull/point_sieve.hpp"
 #include "order/insertion_order.hpp"
@@ -26,11 +26,10 @@ HullState::HullState(const HullState& other)
       basis_(other.basis_),
       row_of_site_(other.row_of_site_),
       site_of_row_(other.site_of_row_),
-      is_surely_interior_(other.is_surely_interior_),
       site_at_(other.site_at_),
       sieved_(other.sieved_),
       earlier_(other.earlier_) {
-  if (other.builder_) builder_ = std::make_unique<ConvexHullBuilder>(sites_, *other.builder_);
+  if (other.boundary_) boundary_ = std::make_unique<Boundary>(sites_, *other.boundary_);
 }
 
 HullState::HullState(const HullState& all, std::span<const Index> vertices, std::vector<int> axes,
@@ -39,7 +38,6 @@ HullState::HullState(const HullState& all, std::span<const Index> vertices, std:
       affine_hull_(all.sites_.ambient),
       row_of_site_(all.row_of_site_),
       site_of_row_(all.site_of_row_),
-      is_surely_interior_(all.sites_.size(), 0),
       earlier_(all.statistics()) {
   // The basis is independent after projection, hence before.
   kernel::AffineHull projected(std::max(1, static_cast<int>(axes.size())));
@@ -53,12 +51,12 @@ HullState::HullState(const HullState& all, std::span<const Index> vertices, std:
   sites_.axes.clear();
   for (const int axis : projected.axes()) sites_.axes.push_back(axes[static_cast<std::size_t>(axis)]);
   if (affine_hull_.dimension() < 1) return;
-  builder_ = std::make_unique<ConvexHullBuilder>(sites_, basis_);
+  make_boundary();
   std::vector<Index> others(vertices.begin(), vertices.end());
   std::erase_if(others,
                 [&](Index site) { return std::find(basis_.begin(), basis_.end(), site) != basis_.end(); });
   put_in_order(others, options);
-  insert_all(others, [] {});
+  boundary_->insert_all(others, [](std::size_t) {});
   // In an order in which each is near the one before, since the walk starts there.
   std::vector<char> is_vertex(sites_.size(), 0);
   for (const Index site : vertices) is_vertex[site] = 1;
@@ -66,7 +64,7 @@ HullState::HullState(const HullState& all, std::span<const Index> vertices, std:
   for (Index site = 0; site < sites_.size(); ++site)
     if (is_vertex[site] == 0) others.push_back(site);
   put_in_order(others, options);
-  for (const Index site : others) is_surely_interior_[site] = builder_->is_surely_interior(site) ? 1 : 0;
+  boundary_->find_interior(others, 1);
 }
 
 Index HullState::find_site(std::uint64_t tag, const double* point) const {
@@ -78,7 +76,6 @@ Index HullState::find_site(std::uint64_t tag, const double* point) const {
 Index HullState::add_site(const double* point, std::size_t row, std::uint64_t tag) {
   const auto site = static_cast<Index>(sites_.size());
   row_of_site_.push_back(static_cast<Index>(row));
-  is_surely_interior_.push_back(0);
   sites_.coordinates.insert(sites_.coordinates.end(), point, point + ambient());
   sites_.grid.include(point);
   site_at_.add(tag, site);
@@ -88,7 +85,6 @@ Index HullState::add_site(const double* point, std::size_t row, std::uint64_t ta
 /// Takes back a site that was added, perhaps not wholly.
 void HullState::drop_last_site(Index site, std::uint64_t tag) {
   row_of_site_.resize(site);
-  is_surely_interior_.resize(site);
   sites_.coordinates.resize(site * ambient());
   site_at_.remove_last(tag, site);
 }
@@ -119,10 +115,9 @@ class HullState::Rollback {
   ~Rollback() {
     if (is_kept_) return;
     if (has_begun_) {
-      state_.builder_->undo_batch();
+      state_.boundary_->undo_batch();
     } else if (has_restarted_) {
-      state_.builder_ = std::move(builder_);
-      state_.is_surely_interior_ = std::move(is_surely_interior_);
+      state_.boundary_ = std::move(boundary_);
     }
     state_.affine_hull_ = std::move(affine_hull_);
     state_.basis_ = std::move(basis_);
@@ -131,11 +126,9 @@ class HullState::Rollback {
       state_.site_at_.remove_last(point_tag(state_.sites_.point(site), state_.sites_.ambient).low, site);
     state_.sites_.coordinates.resize(num_sites_ * state_.ambient());
     state_.row_of_site_.resize(num_sites_);
-    state_.is_surely_interior_.resize(num_sites_);
     state_.site_of_row_.resize(num_rows_);
     internal::shrink_large(state_.sites_.coordinates);
     internal::shrink_large(state_.row_of_site_);
-    internal::shrink_large(state_.is_surely_interior_);
     internal::shrink_large(state_.site_of_row_);
     if (!had_sieved_rows_) state_.sieved_ = SievedRows();
     state_.earlier_ = earlier_;
@@ -145,18 +138,16 @@ class HullState::Rollback {
 
   /// The present builder goes on.
   void begin() {
-    state_.builder_->begin_batch();
+    state_.boundary_->begin_batch();
     has_begun_ = true;
   }
   /// There will be another builder.
   void restart() {
-    std::vector<char> none_is_interior(state_.sites_.size(), 0);
-    is_surely_interior_ = std::exchange(state_.is_surely_interior_, std::move(none_is_interior));
-    builder_ = std::move(state_.builder_);
+    boundary_ = std::move(state_.boundary_);
     has_restarted_ = true;
   }
   void keep() {
-    if (has_begun_) state_.builder_->keep_batch();
+    if (has_begun_) state_.boundary_->keep_batch();
     is_kept_ = true;
   }
 
@@ -169,29 +160,20 @@ class HullState::Rollback {
   std::size_t num_rows_;
   bool had_sieved_rows_;
   Statistics earlier_;
-  std::unique_ptr<ConvexHullBuilder> builder_;
-  std::vector<char> is_surely_interior_;
+  std::unique_ptr<Boundary> boundary_;
   bool has_begun_ = false, has_restarted_ = false, is_kept_ = false;
 };
+
+void HullState::make_boundary() {
+  boundary_ = std::make_unique<Boundary>(sites_, basis_, view_from_inside(sites_, basis_));
+}
 
 /// Starts anew with the simplex of the basis.
 void HullState::restart(Rollback& rollback) {
   sites_.axes = affine_hull_.axes();
   note_effort(earlier_);
   rollback.restart();
-  if (affine_hull_.dimension() >= 1) builder_ = std::make_unique<ConvexHullBuilder>(sites_, basis_);
-}
-
-void HullState::note(Index site, Insertion outcome) {
-  if (outcome == Insertion::interior) is_surely_interior_[site] = 1;
-}
-
-/// Inserts sites in turn, and calls done() after each.
-void HullState::insert_all(std::span<const Index> sites, const std::function<void()>& done) {
-  builder_->insert_all(sites, [&](Index site, Insertion outcome) {
-    note(site, outcome);
-    done();
-  });
+  if (affine_hull_.dimension() >= 1) make_boundary();
 }
 
 /// By as many threads as there are for it. `first`: those that were inserted before into a boundary that
@@ -202,17 +184,11 @@ void HullState::insert_in_threads(std::span<const Index> sites, std::span<const 
   std::vector<Index> order(first.begin(), first.end());
   order.insert(order.end(), sites.begin(), sites.end());
   if (first.empty()) std::sort(order.begin(), order.end());
-  builder_->prepare_for_threads(order);
+  boundary_->prepare_for_threads(order);
   const unsigned threads =
       engine::threads_for_batch(options.threads, sites.size(), affine_hull_.dimension() - 1);
   earlier_.threads = std::max(earlier_.threads, threads);
-  const auto placed = [this](Index site, Insertion outcome) { note(site, outcome); };
-  if (threads > 1) return internal::insert_in_threads(*builder_, sites, rounds, threads, progress, placed);
-  std::size_t done = 0;
-  builder_->insert_all(sites, [&](Index site, Insertion outcome) {
-    placed(site, outcome);
-    progress(++done);
-  });
+  boundary_->insert_all(sites, rounds, threads, progress);
 }
 
 /// Rows to sites: all that are given, or those of `rows`, if there are any; the others have none.
@@ -275,7 +251,7 @@ void HullState::give_sieved_rows_sites() {
   const std::size_t n = sites_.size() + rows.size();
   sites_.coordinates.reserve(n * ambient());
   row_of_site_.reserve(n);
-  is_surely_interior_.reserve(n);
+  boundary_->reserve(n);
   site_at_.reserve(n);
   const auto first_site = static_cast<Index>(sites_.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -285,30 +261,11 @@ void HullState::give_sieved_rows_sites() {
     }
     const double* point = sieved_.point(rows[i]);
     const Index site = add_site(point, rows[i], point_tag(point, sites_.ambient).low);
-    is_surely_interior_[site] = 1;
     site_of_row_[rows[i]] = site;
   }
-  builder_->include_sites(first_site);
+  boundary_->include_sites(first_site);
+  for (Index site = first_site; site < sites_.size(); ++site) boundary_->leave_out(site);
   sieved_ = SievedRows();
-}
-
-/// Takes out the sites that are in the interior already, if a sample says that they are many.
-void HullState::drop_interior(std::vector<Index>& sites, unsigned threads) {
-  constexpr std::size_t sample = 64;
-  if (sites.size() < 2 * sample) return;
-  std::size_t interior = 0;
-  for (std::size_t i = 0; i < sample; ++i)
-    interior += builder_->is_surely_interior(sites[i * (sites.size() / sample)]) ? 1 : 0;
-  if (interior < sample / 4) return;
-  std::vector<char> is_interior(sites.size());
-  builder_->find_surely_interior(sites, is_interior, threads);
-  std::size_t left = 0;
-  for (std::size_t i = 0; i < sites.size(); ++i) {
-    is_surely_interior_[sites[i]] = is_interior[i];
-    sites[left] = sites[i];
-    left += is_interior[i] == 0;
-  }
-  sites.resize(left);
 }
 
 /// Returns where rounds end that cover the whole set.
@@ -349,11 +306,11 @@ void HullState::insert_range(std::span<const double> coordinates, const Options&
     raised |= raise(site);
   if (raised) {
     restart(rollback);
-  } else if (builder_) {
+  } else if (boundary_) {
     rollback.begin();
-    builder_->include_sites(first_site);
+    boundary_->include_sites(first_site);
   }
-  if (builder_) {
+  if (boundary_) {
     // Sites of earlier calls are inserted again into a boundary that begins anew.
     std::vector<char> is_done(sites_.size(), 0);
     if (raised)
@@ -365,13 +322,11 @@ void HullState::insert_range(std::span<const double> coordinates, const Options&
       if (!is_done[site]) others.push_back(site);
     std::size_t done = 0;
     ProgressMeter progress(options.progress, outermost.size() + others.size());
-    const auto count = [&] { progress(++done); };
-    insert_all(outermost, count);
-    if (has_shell) {
-      const std::size_t all = others.size();
-      drop_interior(others, options.threads);
-      done += all - others.size();
-    }
+    const auto tick = [&](std::size_t inserted) { progress(done + inserted); };
+    boundary_->insert_all(outermost, tick);
+    done = outermost.size() + others.size();
+    if (has_shell) boundary_->drop_interior(others, options.threads);
+    done -= others.size();
     earlier_.build_seconds += stopwatch.seconds();
 
     stopwatch.restart();
@@ -381,13 +336,13 @@ void HullState::insert_range(std::span<const double> coordinates, const Options&
     stopwatch.restart();
     // As given means in that order. Of what is approved of, cells are asked before the batch is kept.
     if (options.order == InsertionOrder::as_given || (approve && !raised) ||
-        !builder_->shares_batches_of(others.size())) {
-      insert_all(others, count);
+        !boundary_->shares_batches_of(others.size())) {
+      boundary_->insert_all(others, tick);
     } else {
       std::vector<Index> first;
       if (raised) first = basis_;
       if (raised) first.insert(first.end(), outermost.begin(), outermost.end());
-      insert_in_threads(others, rounds, options, first, [&](std::size_t n) { progress(done + n); });
+      insert_in_threads(others, rounds, options, first, tick);
     }
   }
   if (approve) approve();
@@ -409,10 +364,8 @@ HullInsertResult HullState::insert_in_flat(const double* point) {
   const auto site = static_cast<Index>(sites_.size());
   try {
     add_site(point, result.row, tag);
-    builder_->include_sites(site);
-    const Insertion outcome = builder_->insert(site);
-    result.inserted = outcome == Insertion::vertex;
-    is_surely_interior_[site] = outcome == Insertion::interior ? 1 : 0;
+    boundary_->include_sites(site);
+    result.inserted = boundary_->insert(site) == Insertion::vertex;
   } catch (...) {
     drop_last_site(site, tag);
     throw;
@@ -442,12 +395,12 @@ std::size_t HullState::num_duplicates() const {
   return num_rows() - sieved_.rows().size() - sites_.size() + of_sieved;
 }
 
-const SimplicialHull& HullState::hull() const { return builder_ ? builder_->hull() : no_cells; }
+const SimplicialHull& HullState::hull() const { return boundary_ ? boundary_->hull() : no_cells; }
 
 /// Adds what the builder has done.
 void HullState::note_effort(Statistics& sum) const {
-  if (!builder_) return;
-  const engine::Effort& effort = builder_->effort();
+  if (!boundary_) return;
+  const engine::Effort& effort = boundary_->effort();
   sum.created_cells += effort.created_cells;
   sum.filter += effort.stages.filter;
   sum.direct += effort.stages.direct;
@@ -458,9 +411,9 @@ void HullState::note_effort(Statistics& sum) const {
 Statistics HullState::statistics() const {
   Statistics result = earlier_;
   note_effort(result);
-  if (builder_) {
-    result.insertions = builder_->insertions();
-    result.cell_bytes = builder_->bytes();
+  if (boundary_) {
+    result.insertions = boundary_->insertions();
+    result.cell_bytes = boundary_->bytes();
   }
   return result;
 }

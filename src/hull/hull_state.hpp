@@ -4,7 +4,7 @@
 
 #include "base/progress_meter.hpp"
 #include "compiled/simplicial_hull.hpp"
-#include "hull/hull_builder.hpp"
+#include "hull/boundary.hpp"
 #include "hull/sieved_rows.hpp"
 #include "hull/site_table.hpp"
 #include "kernel/predicates.hpp"
@@ -43,7 +43,7 @@ class HullState {
   /// A point that is a duplicate, or in the affine hull, does not raise the dimension.
   bool raises_dimension(const double* point) const;
 
-  const HullSites& sites() const { return sites_; }
+  const SiteSet& sites() const { return sites_; }
   const kernel::AffineHull& affine_hull() const { return affine_hull_; }
   /// Sites that span the flat.
   const std::vector<Index>& basis() const { return basis_; }
@@ -59,10 +59,10 @@ class HullState {
   SignedIndex row(Index site) const { return static_cast<SignedIndex>(row_of_site_[site]); }
   const SievedRows& sieved_rows() const { return sieved_; }
   /// Whether a site was found in the interior when it was inserted. Others may be in the interior, too.
-  bool is_surely_interior(Index site) const { return is_surely_interior_[site] != 0; }
+  bool is_surely_interior(Index site) const { return boundary_ && boundary_->is_surely_interior(site); }
 
   /// None while the affine dimension is below 1.
-  const ConvexHullBuilder* builder() const { return builder_.get(); }
+  const Boundary* boundary() const { return boundary_.get(); }
   const SimplicialHull& hull() const;
   Statistics statistics() const;
 
@@ -74,26 +74,23 @@ class HullState {
   Index add_site(const double* point, std::size_t row, std::uint64_t tag);
   void drop_last_site(Index site, std::uint64_t tag);
   bool raise(Index site);
+  void make_boundary();
   void restart(Rollback& rollback);
   void note_effort(Statistics& sum) const;
   void add_rows(std::span<const double> coordinates, std::span<const Index> rows);
   std::vector<Index> sieve(std::span<const double> coordinates, unsigned threads);
   void give_sieved_rows_sites();
-  void insert_all(std::span<const Index> sites, const std::function<void()>& done);
   void insert_in_threads(std::span<const Index> sites, std::span<const std::size_t> rounds,
                          const Options& options, std::span<const Index> first,
                          const std::function<void(std::size_t)>& progress);
-  void note(Index site, Insertion outcome);
-  void drop_interior(std::vector<Index>& sites, unsigned threads);
   std::vector<std::size_t> put_in_order(std::vector<Index>& sites, const Options& options) const;
 
-  HullSites sites_;
+  SiteSet sites_;
   kernel::AffineHull affine_hull_;
   std::vector<Index> basis_, row_of_site_, site_of_row_;
-  std::vector<char> is_surely_interior_;  // by site
   SiteTable site_at_;
   SievedRows sieved_;
-  std::unique_ptr<ConvexHullBuilder> builder_;
+  std::unique_ptr<Boundary> boundary_;
   Statistics earlier_;  // of builders that were given up, and the times
 };
 

@@ -5,8 +5,8 @@
 // of calls, and fails if one of them is wrong. An interrupt ends it with the table so far.
 //
 // Usage: delone_predicate_campaign [--calls N] [--seconds S] [--seed N]
+#include "geometry/central_geometry.hpp"
 #include "geometry/delaunay_geometry.hpp"
-#include "geometry/hull_geometry.hpp"
 #include "kernel/hull_stages.hpp"
 #include "kernel/predicates.hpp"
 #include "row_source.hpp"
@@ -342,8 +342,16 @@ void Campaign::hull_filter(const Simplex<Int>& truth, const std::vector<const do
     CellMemory<K - 1> memory(K - 1);
     memory.reserve(1);
     memory.prepare(1);
-    geometry::HullGeometry<K - 1> cells(memory, axes, K, coordinates, grid, center, true, inner);
-    cells.set_box(low.data(), high.data());
+    sites::SiteSet sites(K);
+    sites.coordinates = coordinates;
+    sites.axes = axes;
+    geometry::CentralView view(grid);
+    view.center = center;
+    view.is_inside = true;
+    view.low = low;
+    view.high = high;
+    geometry::CentralGeometry<K - 1> cells(memory, sites, view, inner);
+    cells.update_box();
     // det(v_i − o) is that of the simplex, with the base moved to the end, for any o inside.
     const Sign inside = truth.orientation() * (K % 2 == 0 ? Sign::positive : Sign::negative);
     Index vertices[K];

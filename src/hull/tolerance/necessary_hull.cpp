@@ -43,7 +43,7 @@ class Search {
   static constexpr std::size_t most_work = std::size_t{1} << 20;
 
   HullState& shell() { return sieve_.shell(); }
-  const ConvexHullBuilder& builder() { return *shell().builder(); }
+  const Boundary& boundary() { return *shell().boundary(); }
 
   /// Let h be the least height of a simplex of points. A flat of fewer dimensions is farther than
   /// h/(2·(d+1)) from one of them: the simplex is no thinner than h/(d+1) in any direction. With the bounds
@@ -63,7 +63,7 @@ class Search {
     const SimplicialHull& hull = state.hull();
     std::vector<double> sums(state.sites().size() * d_, 0.0), normal(d_);
     for (std::size_t c = 0; c < hull.num_cells(); ++c) {
-      const double threshold = builder().boundary()->hyperplane(hull.slots[c], normal.data());
+      const double threshold = hyperplane(*boundary().engine(), hull.slots[c], normal.data());
       const double length = std::sqrt(std::inner_product(normal.begin(), normal.end(), normal.begin(), 0.0));
       if (!(threshold < 0x1p-20 && length > 0 && length < infinity)) continue;
       for (const Index site : hull.cell(c))
@@ -96,7 +96,7 @@ class Search {
   }
 
   bool all_are_necessary() {
-    const HullSites& sites = shell().sites();
+    const SiteSet& sites = shell().sites();
     const std::vector<double> sums = directions();
     std::vector<const double*> others;
     std::vector<double> direction(d_);

@@ -6,8 +6,8 @@
 #include "base/random.hpp"
 #include "brute_force.hpp"
 #include "engine/build.hpp"
+#include "geometry/central_geometry.hpp"
 #include "geometry/delaunay_geometry.hpp"
-#include "geometry/hull_geometry.hpp"
 #include "kernel/predicates.hpp"
 #include "scale.hpp"
 
@@ -334,11 +334,20 @@ void expect_right_hull(const Sample& sample, std::uint64_t seed, Tally& tally) {
     for (std::size_t j = 0; j < size; ++j) center[j] += points[(v - 1) * size + j] / (K + 2);
   grid.include(center.data());
 
-  engine::Build<K, Recording<HullGeometry<K>>> build(K, ids_for(n), axes, sample.ambient, points, grid,
-                                                     center, true, simplex);
+  sites::SiteSet sites(sample.ambient);
+  sites.coordinates = points;
+  sites.axes = axes;
+  CentralView view(grid);
+  view.center = center;
+  view.is_inside = true;
+  for (const int axis : axes) {
+    view.low.push_back(low[static_cast<std::size_t>(axis)]);
+    view.high.push_back(high[static_cast<std::size_t>(axis)]);
+  }
+  engine::Build<K, Recording<CentralGeometry<K>>> build(K, ids_for(n), sites, view, simplex);
   engine::CellStore<K>& cells = build.cells();
-  Recording<HullGeometry<K>>& geometry = build.geometry();
-  geometry.set_box(low.data(), high.data());
+  Recording<CentralGeometry<K>>& geometry = build.geometry();
+  geometry.update_box();
   const Index last = simplex.back();
   simplex.pop_back();
   StageCounts uncounted;

@@ -102,7 +102,7 @@ TEST(HullFaces, OfLatticeCubes) {
     HullState state(d);
     state.insert_range(test::lattice(d, 3).points, {});
     const SimplicialHull& hull = state.hull();
-    const auto coplanar = state.builder()->boundary()->coplanar_neighbors(hull);
+    const auto coplanar = state.boundary()->coplanar_neighbors(hull);
     const PolytopeFaces faces = find_faces(hull, state.sites().size(), coplanar);
     const Lists sites = find_facet_sites(hull, faces);
     const auto& counts = expected[d - 2];

@@ -18,7 +18,7 @@ using ::testing::ElementsAre;
 struct Located {
   Located(int d, const std::vector<double>& points) : state(d) {
     state.insert_range(points, {});
-    locator.emplace(state.sites(), *state.builder());
+    locator.emplace(state.sites(), *state.boundary());
   }
   kernel::Grid grid_with(const std::vector<double>& q) const {
     kernel::Grid grid = state.sites().grid;
@@ -109,7 +109,7 @@ TEST(HullLocator, OfASegment) {
 TEST(HullLocator, SearchesAllCellsWithoutACenter) {
   const double next = std::nextafter(1.0, 2.0);
   const Located triangle(2, {1, 1, next, 1, 1, next});
-  ASSERT_FALSE(triangle.state.builder()->has_center());
+  ASSERT_FALSE(triangle.state.boundary()->has_center());
   for (const std::vector<double>& corner : {std::vector{1.0, 1.0}, {next, 1.0}, {1.0, next}})
     EXPECT_EQ(triangle.side(corner), Sign::zero);
   // The last three are on the line of one edge and beyond another.

@@ -80,10 +80,10 @@ TEST(HullState, SingleRowsAreToldWhatBecameOfThem) {
 
 TEST(HullState, ABatchMayRaiseTheDimension) {
   HullState state(3);
-  EXPECT_EQ(state.builder(), nullptr);
+  EXPECT_EQ(state.boundary(), nullptr);
   state.insert_range(Coordinates{1, 1, 1, 1, 1, 1}, {});
   EXPECT_EQ(state.affine_hull().dimension(), 0);
-  EXPECT_EQ(state.builder(), nullptr);
+  EXPECT_EQ(state.boundary(), nullptr);
   EXPECT_TRUE(cells_of(state).empty());
   state.insert_range(Coordinates{3, 1, 1, 2, 1, 1}, {});
   EXPECT_EQ(state.affine_hull().dimension(), 1);

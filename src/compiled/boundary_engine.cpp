@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "compiled/boundary_engine.hpp"
+
+#include "base/compiled_dimension.hpp"
+#include "base/parallel_parts.hpp"
+#include "base/progress_meter.hpp"
+#include "compiled/boundary_sphere.hpp"
+#include "engine/locate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace delone::internal {
+namespace {
+
+/// Calls ask(cells, geometry, sphere) with those of the compiled dimension.
+template <class Ask>
+decltype(auto) visit(const BoundaryEngine& boundary, Ask&& ask) {
+  return with_compiled_dimension(
+      static_cast<std::size_t>(boundary.dimension()), [&](auto k) -> decltype(auto) {
+        constexpr int K = cells_in(k());
+        const auto& sphere = static_cast<const BoundaryOfCells<K>&>(boundary).sphere();
+        return ask(sphere);
+      });
+}
+
+/// Thresholds are for rows in [−1, 1]. Functionals are off by a linear function of the row, and evaluations
+/// round in proportion to it, so for a row outside the threshold grows by this factor.
+template <class Geometry>
+double reach(const Geometry& geometry, const typename Geometry::Query& q) {
+  double largest = 1;
+  for (int r = 0; r <= geometry.dimension(); ++r)
+    if (const double x = std::fabs(q.row[static_cast<std::size_t>(r)]); !(x <= largest)) largest = x;
+  return largest > 1 ? largest * (1 + 0x1p-50) : 1;
+}
+
+template <class Geometry>
+Sign certain_side_of(const Geometry& geometry, Index slot, const typename Geometry::Query& q, double reach) {
+  const auto h = geometry.evaluator(q);
+  const double value = h.value(slot), threshold = h.threshold(slot) * reach;
+  return value > threshold ? Sign::positive : value < -threshold ? Sign::negative : Sign::zero;
+}
+
+/// By exact stages alone.
+template <class Sphere>
+Sign exact_side_of(const Sphere& sphere, Index slot, const double* row) {
+  StageCounts uncounted;
+  const auto vertices = sphere.cells().vertices(slot);
+  return sphere.geometry().side(vertices, row, uncounted);
+}
+
+}  // namespace
+
+std::unique_ptr<BoundaryEngine> make_boundary_engine(const SiteSet& sites, const CentralView& view,
+                                                     const std::vector<Index>& simplex) {
+  return with_compiled_dimension(static_cast<std::size_t>(sites.dimension()), [&](auto k) {
+    return make_boundary_of_cells<cells_in(k())>(sites, view, simplex);
+  });
+}
+
+/// The cells are numbered without gaps; their vertices are sites.
+SimplicialHull simplicial_hull_of(const BoundaryEngine& boundary) {
+  return visit(boundary, [&](const auto& sphere) {
+    const auto& cells = sphere.cells();
+    SimplicialHull hull;
+    const std::size_t k = static_cast<std::size_t>(cells.dimension()) + 1;
+    hull.dimension = static_cast<int>(k);
+    std::vector<Index> compact(cells.num_slots(), invalid_index);
+    hull.slots.reserve(cells.num_cells());
+    for (Index cell = 0; cell < cells.num_slots(); ++cell) {
+      if (cells.is_vacant(cell)) continue;
+      compact[cell] = static_cast<Index>(hull.slots.size());
+      hull.slots.push_back(cell);
+    }
+    hull.cells.resize(hull.slots.size() * k);
+    hull.neighbors.resize(hull.slots.size() * k);
+    Index *vertex = hull.cells.data(), *neighbor = hull.neighbors.data();
+    for (const Index cell : hull.slots) {
+      cancellation_point();
+      for (std::size_t i = 0; i < k; ++i) {
+        *vertex++ = cells.vertex(cell, static_cast<int>(i)) - 1;
+        *neighbor++ = compact[cells.neighbors(cell)[i]];
+      }
+    }
+    return hull;
+  });
+}
+
+const engine::Effort& effort_of(const BoundaryEngine& boundary) {
+  return visit(boundary, [](const auto& sphere) -> const engine::Effort& { return sphere.effort(); });
+}
+
+std::size_t bytes_of(const BoundaryEngine& boundary) {
+  return visit(boundary, [](const auto& sphere) { return sphere.cells().bytes(); });
+}
+
+std::vector<std::pair<Index, Index>> coplanar_neighbors(const BoundaryEngine& boundary,
+                                                        const SimplicialHull& hull) {
+  return visit(boundary, [&](const auto& sphere) {
+    const auto& cells = sphere.cells();
+    const auto& geometry = sphere.geometry();
+    std::vector<std::pair<Index, Index>> pairs;
+    const auto is_certainly_inside = [&](Index cell, Index vertex) {
+      return certain_side_of(geometry, cell, geometry.query_at(vertex), 1) == Sign::positive;
+    };
+    constexpr std::size_t ahead = 4;  // cells whose neighbors are on the way from memory
+    for (Index c = 0; c < hull.num_cells(); ++c) {
+      cancellation_point();
+      const Index cell = hull.slots[c];
+      if (c + ahead < hull.num_cells()) cells.prefetch_neighbors(hull.slots[c + ahead]);
+      for (int i = 0; i <= cells.dimension(); ++i) {
+        const Index across = cells.neighbors(cell)[i];
+        if (across < cell) continue;
+        const Index opposite = cells.vertex(across, cells.slot_of_neighbor(across, cell));
+        // One cell is convex at the ridge iff the other is.
+        if (is_certainly_inside(cell, opposite) || is_certainly_inside(across, cells.vertex(cell, i)))
+          continue;
+        if (exact_side_of(sphere, cell, geometry.point(opposite)) == Sign::zero)
+          pairs.emplace_back(c, hull.neighbors_of(c)[static_cast<std::size_t>(i)]);
+      }
+    }
+    return pairs;
+  });
+}
+
+void find_surely_interior(const BoundaryEngine& boundary, std::span<const Index> sites,
+                          std::span<char> is_interior, unsigned threads) {
+  constexpr std::size_t part = 1024;
+  visit(boundary, [&](const auto& sphere) {
+    const auto& geometry = sphere.geometry();
+    if (!geometry.can_walk()) {
+      std::fill(is_interior.begin(), is_interior.end(), 0);
+      return;
+    }
+    work_in_parts(threads, sites.size(), part, [&] {
+      return
+          [&, from = sphere.last_cell()](std::size_t first, std::size_t last, const StopPoint& stop) mutable {
+            for (std::size_t i = first; i < last; ++i) {
+              stop();
+              const auto [outcome, near] =
+                  engine::approach(sphere.cells(), geometry, geometry.query_at(sites[i] + 1), from);
+              from = near.cell;
+              is_interior[i] = outcome == engine::Descent::hidden ? 1 : 0;
+            }
+          };
+    });
+  });
+}
+
+Sign side_of_slot(const BoundaryEngine& boundary, Index slot, Index site) {
+  return visit(boundary, [&](const auto& sphere) {
+    const auto q = sphere.geometry().query_at(site + 1);
+    const Sign sign = certain_side_of(sphere.geometry(), slot, q, 1);
+    return sign != Sign::zero ? sign : exact_side_of(sphere, slot, q.point);
+  });
+}
+
+std::optional<Index> slot_through(const BoundaryEngine& boundary, Index site) {
+  return visit(boundary, [&](const auto& sphere) -> std::optional<Index> {
+    const auto& cells = sphere.cells();
+    const auto& geometry = sphere.geometry();
+    const auto q = geometry.query_at(site + 1);
+    const auto is_on = [&](Index cell) { return exact_side_of(sphere, cell, q.point) == Sign::zero; };
+    if (geometry.can_walk()) {
+      StageCounts uncounted;
+      const auto [outcome, near] = engine::approach(cells, geometry, q, sphere.last_cell());
+      if (outcome == engine::Descent::hidden) return std::nullopt;
+      const Index cell = engine::walk_exactly(cells, geometry, q, near.cell, false, uncounted).cell;
+      return is_on(cell) ? std::optional(cell) : std::nullopt;
+    }
+    for (Index cell = 0; cell < cells.num_slots(); ++cell)
+      if (!cells.is_vacant(cell) && is_on(cell)) return cell;
+    return std::nullopt;
+  });
+}
+
+Sign certain_side(const BoundaryEngine& boundary, Index slot, const double* point) {
+  return visit(boundary, [&](const auto& sphere) {
+    const auto q = sphere.geometry().make_query(point);
+    return certain_side_of(sphere.geometry(), slot, q, reach(sphere.geometry(), q));
+  });
+}
+
+double hyperplane(const BoundaryEngine& boundary, Index slot, double* normal) {
+  return visit(boundary, [&](const auto& sphere) { return sphere.geometry().hyperplane(slot, normal); });
+}
+
+std::pair<Index, Sign> descend(const BoundaryEngine& boundary, const double* point,
+                               const std::vector<Index>& starts) {
+  return visit(boundary, [&](const auto& sphere) -> std::pair<Index, Sign> {
+    const auto& cells = sphere.cells();
+    const auto& geometry = sphere.geometry();
+    const auto q = geometry.make_query(point);
+    const auto h = geometry.evaluator(q);
+    const Index start = *std::min_element(starts.begin(), starts.end(),
+                                          [&](Index a, Index b) { return h.value(a) < h.value(b); });
+    const double factor = reach(geometry, q);
+    if (factor > 1) {  // not in the box
+      const Index near = engine::descend(cells, geometry, q, start).second.cell;
+      const bool is_beyond = certain_side_of(geometry, near, q, factor) == Sign::negative;
+      return {near, is_beyond ? Sign::negative : Sign::zero};
+    }
+    const auto [outcome, walk] = engine::approach(cells, geometry, q, start);
+    return {walk.cell, outcome == engine::Descent::conflict ? Sign::negative
+                       : outcome == engine::Descent::hidden ? Sign::positive
+                                                            : Sign::zero};
+  });
+}
+
+}  // namespace delone::internal
