@@ -129,7 +129,7 @@ class ExaminedHull {
     return braces(std::span<const SignedIndex>(data_.cells).subspan(c * corners, corners));
   }
 
-  SiteSet sites;
+  BoundarySites sites;
   SimplicialHull hull;
   std::vector<Index> basis;
   std::optional<HullNormals> normals;

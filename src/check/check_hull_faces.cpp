@@ -106,7 +106,7 @@ void check_ridges(const SimplicialHull& hull, const PolytopeFaces& faces, const 
 /// flats, nor where binary64 knows no normal.
 void check_equations(ExaminedHull& examined, const PolytopeFaces& faces,
                      const std::vector<SignedIndex>& given_of, const HullData& data) {
-  const SiteSet& sites = examined.sites;
+  const BoundarySites& sites = examined.sites;
   const auto d = static_cast<std::size_t>(sites.ambient);
   if (data.equations.empty() || data.equation_errors.empty() || examined.hull.corners() != d) return;
   const std::size_t stride = examined.normals->stride();
@@ -149,7 +149,7 @@ void check_equations(ExaminedHull& examined, const PolytopeFaces& faces,
 }
 
 /// By row, the first row with the same point.
-std::vector<SignedIndex> first_rows(const SiteSet& sites) {
+std::vector<SignedIndex> first_rows(const BoundarySites& sites) {
   std::unordered_map<std::string_view, SignedIndex> first_at;
   std::vector<double> keys(sites.coordinates);
   for (double& x : keys) x += 0.0;  // −0 equals +0

@@ -51,7 +51,7 @@ Sign exact_side_of(const Sphere& sphere, Index slot, const double* row) {
 
 }  // namespace
 
-std::unique_ptr<BoundaryEngine> make_boundary_engine(const SiteSet& sites, const CentralView& view,
+std::unique_ptr<BoundaryEngine> make_boundary_engine(const BoundarySites& sites, const CentralView& view,
                                                      const std::vector<Index>& simplex) {
   return with_compiled_dimension(static_cast<std::size_t>(sites.dimension()), [&](auto k) {
     return make_boundary_of_cells<cells_in(k())>(sites, view, simplex);

@@ -54,7 +54,7 @@ class BoundaryEngine {
   /// Takes over the view's box, which has changed. Throws std::bad_alloc, and then changes nothing.
   virtual void update_box() = 0;
   /// A copy that reads sites and view from other places.
-  virtual std::unique_ptr<BoundaryEngine> copy(const SiteSet& sites, const CentralView& view) const = 0;
+  virtual std::unique_ptr<BoundaryEngine> copy(const BoundarySites& sites, const CentralView& view) const = 0;
 
  protected:
   explicit BoundaryEngine(int dimension) : dimension_(dimension) {}
@@ -64,7 +64,7 @@ class BoundaryEngine {
 };
 
 /// The boundary of the simplex of k+1 independent sites.
-std::unique_ptr<BoundaryEngine> make_boundary_engine(const SiteSet& sites, const CentralView& view,
+std::unique_ptr<BoundaryEngine> make_boundary_engine(const BoundarySites& sites, const CentralView& view,
                                                      const std::vector<Index>& simplex);
 
 SimplicialHull simplicial_hull_of(const BoundaryEngine& boundary);

@@ -18,7 +18,7 @@ class BoundaryEngineOfDimension final : public BoundaryOfCells<K> {
   using Geometry = geometry::CentralGeometry<K>;
 
  public:
-  BoundaryEngineOfDimension(const SiteSet& sites, const CentralView& view, std::vector<Index> simplex)
+  BoundaryEngineOfDimension(const BoundarySites& sites, const CentralView& view, std::vector<Index> simplex)
       : BoundaryEngineOfDimension(sites, view, std::move(simplex), nullptr) {
     std::vector<Index> vertices = vertices_of(simplex_);
     const Index last = vertices.back();
@@ -62,7 +62,7 @@ class BoundaryEngineOfDimension final : public BoundaryOfCells<K> {
     geometry().update_box();
     build_.create_functionals();
   }
-  std::unique_ptr<BoundaryEngine> copy(const SiteSet& sites, const CentralView& view) const override {
+  std::unique_ptr<BoundaryEngine> copy(const BoundarySites& sites, const CentralView& view) const override {
     return std::unique_ptr<BoundaryEngine>(new BoundaryEngineOfDimension(sites, view, simplex_, this));
   }
 
@@ -70,7 +70,7 @@ class BoundaryEngineOfDimension final : public BoundaryOfCells<K> {
 
  private:
   /// No cells, or those of another engine.
-  BoundaryEngineOfDimension(const SiteSet& sites, const CentralView& view, std::vector<Index> simplex,
+  BoundaryEngineOfDimension(const BoundarySites& sites, const CentralView& view, std::vector<Index> simplex,
                             const BoundaryEngineOfDimension* other)
       : BoundaryOfCells<K>(sites.dimension()),
         simplex_(std::move(simplex)),
@@ -94,7 +94,7 @@ class BoundaryEngineOfDimension final : public BoundaryOfCells<K> {
 };
 
 template <int K>
-std::unique_ptr<BoundaryEngine> make_boundary_of_cells(const SiteSet& sites, const CentralView& view,
+std::unique_ptr<BoundaryEngine> make_boundary_of_cells(const BoundarySites& sites, const CentralView& view,
                                                        std::vector<Index> simplex) {
   return std::make_unique<BoundaryEngineOfDimension<K>>(sites, view, std::move(simplex));
 }

@@ -23,7 +23,7 @@ class BoundaryOfCells : public BoundaryEngine {
 };
 
 template <int K>
-std::unique_ptr<BoundaryEngine> make_boundary_of_cells(const SiteSet& sites, const CentralView& view,
+std::unique_ptr<BoundaryEngine> make_boundary_of_cells(const BoundarySites& sites, const CentralView& view,
                                                        std::vector<Index> simplex);
 
 }  // namespace delone::internal

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "kernel/stages.hpp"
-#include "sites/site_set.hpp"
+#include "sites/boundary_sites.hpp"
 
 #include <delone/types.hpp>
 
@@ -18,7 +18,7 @@
 
 namespace delone::internal {
 
-using sites::SiteSet;
+using sites::BoundarySites;
 
 struct SimplicialHull {
   int dimension = -1;                   ///< k; cells exist for k ≥ 1 only
@@ -35,7 +35,7 @@ struct SimplicialHull {
 
 /// The exact sign of det(v_i − q), i < k, for k sites; `grid` is one for the sites and q. `scratch` saves an
 /// allocation.
-inline Sign side_of_sites(const SiteSet& sites, std::span<const Index> cell, const double* q,
+inline Sign side_of_sites(const BoundarySites& sites, std::span<const Index> cell, const double* q,
                           const kernel::Grid& grid, std::vector<const double*>& scratch) {
   scratch.assign(1, q);
   for (const Index site : cell) scratch.push_back(sites.point(site));
@@ -43,8 +43,8 @@ inline Sign side_of_sites(const SiteSet& sites, std::span<const Index> cell, con
 }
 
 /// The exact side of cell c that q is on: + inside, 0 on its hyperplane, − beyond. REQUIRES q in the flat.
-inline Sign side_of_cell(const SiteSet& sites, const SimplicialHull& hull, std::size_t c, const double* q,
-                         const kernel::Grid& grid, std::vector<const double*>& scratch) {
+inline Sign side_of_cell(const BoundarySites& sites, const SimplicialHull& hull, std::size_t c,
+                         const double* q, const kernel::Grid& grid, std::vector<const double*>& scratch) {
   const Sign sign = side_of_sites(sites, hull.cell(c), q, grid, scratch);
   return hull.dimension == 1 && c == 0 ? -sign : sign;
 }

@@ -19,7 +19,7 @@
 #include "geometry/kept_rows.hpp"
 #include "geometry/lattice.hpp"
 #include "kernel/hull_stages.hpp"
-#include "sites/site_set.hpp"
+#include "sites/boundary_sites.hpp"
 
 #include <delone/types.hpp>
 
@@ -51,7 +51,7 @@ class CentralGeometry {
   /// Vertex v is site v − 1. `inner`: vertices on no common hyperplane, for a view whose centre is not
   /// inside: then the filter is never certain. The references must outlive this object; what they refer to
   /// may grow.
-  CentralGeometry(CellMemory<K>& cells, const sites::SiteSet& sites, const CentralView& view,
+  CentralGeometry(CellMemory<K>& cells, const sites::BoundarySites& sites, const CentralView& view,
                   std::vector<Index> inner)
       : sites_(sites),
         view_(view),
@@ -234,7 +234,7 @@ class CentralGeometry {
     return rows;
   }
 
-  const sites::SiteSet& sites_;
+  const sites::BoundarySites& sites_;
   const CentralView& view_;
   std::vector<Index> inner_;
   std::vector<double> scale_;  // per axis

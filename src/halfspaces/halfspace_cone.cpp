@@ -10,7 +10,7 @@
 namespace delone::internal {
 namespace {
 
-Sign orientation_of(const SiteSet& sites, const std::vector<const double*>& rows) {
+Sign orientation_of(const BoundarySites& sites, const std::vector<const double*>& rows) {
   StageCounts uncounted;
   return kernel::homogeneous_orientation<0>(sites.flat(), rows.data(), uncounted);
 }
@@ -19,7 +19,7 @@ Sign orientation_of(const SiteSet& sites, const std::vector<const double*>& rows
 
 /// The sum of the simplex' rows, each times a power of two near 1/s: dual points count alike. Sums of few
 /// bits are tried first, as they keep determinants of lattices exact.
-CentralView view_from_inside(const SiteSet& sites, const std::vector<Index>& simplex,
+CentralView view_from_inside(const BoundarySites& sites, const std::vector<Index>& simplex,
                              const InteriorPoint& p) {
   CentralView view(sites.grid);
   const auto row_size = static_cast<std::size_t>(sites.ambient);

@@ -14,7 +14,8 @@
 namespace delone::internal {
 
 /// A view of rows from strictly inside the cone of some sites, if a row of doubles is. It has no box.
-CentralView view_from_inside(const SiteSet& sites, const std::vector<Index>& simplex, const InteriorPoint& p);
+CentralView view_from_inside(const BoundarySites& sites, const std::vector<Index>& simplex,
+                             const InteriorPoint& p);
 
 /// The exact side of cell c of the boundary's hull that a site is on: + inside, 0 on its hyperplane.
 Sign side_of_cell(const Boundary& boundary, const SimplicialHull& hull, std::size_t c, Index site);

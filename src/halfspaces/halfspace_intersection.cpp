@@ -129,15 +129,11 @@ struct Polyhedron::Impl {
 
   /// Adds the sites of new rows, and their dual points if the axes are known.
   void add_sites(IntersectionParts& parts, const std::vector<double>& all, std::size_t first) const {
-    parts.reserve(all.size() / (d + 1) - first);
-    for (std::size_t r = first; r * (d + 1) < all.size(); ++r) {
-      const double* row = &all[r * (d + 1)];
-      if (!has_normal(row, d)) {
-        parts.site_of_row.push_back(invalid_index);
-        continue;
-      }
-      parts.site_of_row.push_back(parts.site_of_ray(row, static_cast<SignedIndex>(r)));
-    }
+    const std::span<const double> added = std::span(all).subspan(first * (d + 1));
+    std::vector<Index> having_normal;
+    for (std::size_t r = 0; r * (d + 1) < added.size(); ++r)
+      if (has_normal(&added[r * (d + 1)], d)) having_normal.push_back(static_cast<Index>(r));
+    parts.add_rows(added, having_normal);
   }
 
   /// The rank of the normals, its axes and a basis; then all dual points.
@@ -150,7 +146,7 @@ struct Polyhedron::Impl {
       if (normals.add(parts.sites.point(site))) parts.basis.push_back(site);
     parts.sites.axes = normals.axes();
     parts.sites.axes.push_back(static_cast<int>(d));
-    for (Index site = 0; site < parts.sites.size(); ++site) parts.add_dual(site);
+    parts.add_duals(0);
   }
 
   /// Inserts the sites from `first` on; makes the cone if there is none.
@@ -209,14 +205,14 @@ struct Polyhedron::Impl {
 
   /// Inserts the rows from `first` on into a cone whose rank they do not raise, all or none.
   void extend(IntersectionParts& parts, std::size_t first) {
-    const auto first_site = static_cast<Index>(parts.sites.size());
+    const sites::GrowingSites::Mark before = parts.sites.mark();
     parts.cone->begin_batch();
     try {
       add_sites(parts, rows, first);
-      construct(parts, first_site);
+      construct(parts, static_cast<Index>(before.sites));
     } catch (...) {
       parts.cone->undo_batch();
-      parts.drop_sites(first_site, first);
+      parts.sites.rollback(before);
       throw;
     }
     parts.cone->keep_batch();

@@ -9,7 +9,6 @@
 #include "halfspaces/intersection_arrays.hpp"
 
 #include "base/progress_meter.hpp"
-#include "base/random.hpp"
 #include "halfspaces/halfspace_cone.hpp"
 #include "halfspaces/halfspace_vertex.hpp"
 #include "hull/hull_faces.hpp"
@@ -18,7 +17,6 @@
 #include "kernel/rays.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -38,10 +36,10 @@ class ArrayMaker {
   IntersectionData make() {
     data_.dimension = static_cast<int>(d_);
     data_.state = parts_.state;
-    for (std::size_t r = 0; r < parts_.site_of_row.size(); ++r)
-      data_.first_of_halfspace.push_back(parts_.site_of_row[r] == invalid_index
+    for (std::size_t r = 0; r < parts_.sites.num_rows(); ++r)
+      data_.first_of_halfspace.push_back(parts_.sites.site_of_row(r) == invalid_index
                                              ? static_cast<SignedIndex>(r)
-                                             : parts_.row_of_site[parts_.site_of_row[r]]);
+                                             : parts_.row_of_site(parts_.sites.site_of_row(r)));
     data_.witness = parts_.witness;
     if (parts_.state != IntersectionState::full) return std::move(data_);
     data_.rank = parts_.rank();
@@ -125,7 +123,7 @@ class ArrayMaker {
       number_[f] = static_cast<SignedIndex>(offsets.size()) - 1;
       const std::size_t first = halfspaces.size();
       for (const Index site : sites_of_facet_[f])
-        if (site != 0) halfspaces.push_back(parts_.row_of_site[site]);
+        if (site != 0) halfspaces.push_back(parts_.row_of_site(site));
       std::sort(halfspaces.begin() + static_cast<std::ptrdiff_t>(first), halfspaces.end());
       offsets.push_back(static_cast<SignedIndex>(halfspaces.size()));
       rows.clear();
@@ -174,7 +172,7 @@ class ArrayMaker {
   void make_facets() {
     std::vector<std::pair<SignedIndex, Index>> order;  // row, site
     for (Index site = 1; site < sites_.size(); ++site)
-      if (faces_.is_extreme[site]) order.emplace_back(parts_.row_of_site[site], site);
+      if (faces_.is_extreme[site]) order.emplace_back(parts_.row_of_site(site), site);
     std::sort(order.begin(), order.end());
     const Lists around = k_ == 3 ? Lists{} : facets_around_sites();
     std::vector<Index> cell_with(sites_.size(), invalid_index);
@@ -227,10 +225,10 @@ class ArrayMaker {
   }
 
   void make_kinds() {
-    for (std::size_t r = 0; r < parts_.site_of_row.size(); ++r) {
-      const Index site = parts_.site_of_row[r];
+    for (std::size_t r = 0; r < parts_.sites.num_rows(); ++r) {
+      const Index site = parts_.sites.site_of_row(r);
       data_.kinds.push_back(site == invalid_index ? HalfspaceKind::trivial
-                            : parts_.row_of_site[site] != static_cast<SignedIndex>(r)
+                            : parts_.row_of_site(site) != static_cast<SignedIndex>(r)
                                 ? HalfspaceKind::duplicate
                                 : kind_of_site_[site]);
     }
@@ -240,10 +238,11 @@ class ArrayMaker {
     std::vector<int> all(d_);
     for (std::size_t j = 0; j < d_; ++j) all[j] = static_cast<int>(j);
     std::vector<double> dual(2 * d_), normal(d_);
-    data_.dual_points.reserve(parts_.site_of_row.size() * d_);
+    data_.dual_points.reserve(parts_.sites.num_rows() * d_);
     data_.dual_equations.reserve(data_.num_vertices() * (d_ + 1));
-    for (const Index site : parts_.site_of_row) {
+    for (std::size_t r = 0; r < parts_.sites.num_rows(); ++r) {
       cancellation_point();
+      const Index site = parts_.sites.site_of_row(r);
       std::fill(dual.begin(), dual.end(), 0.0);
       if (site != invalid_index && k_ == d_)
         std::copy_n(sites_.dual(site), d_, dual.begin());
@@ -269,7 +268,7 @@ class ArrayMaker {
   }
 
   const IntersectionParts& parts_;
-  const SiteSet& sites_;
+  const BoundarySites& sites_;
   std::size_t d_, k_;
   std::vector<int> axes_;
   SimplicialHull hull_;
@@ -284,34 +283,16 @@ class ArrayMaker {
 
 }  // namespace
 
-namespace {
-
-/// Equal for rows on one ray: quotients of equal value are rounded to equal doubles.
-std::uint64_t ray_tag(const double* row, std::size_t size) {
-  std::size_t last = size - 1;
-  while (last > 0 && row[last] == 0) --last;
-  const double unit = std::fabs(row[last]);
-  std::uint64_t tag = last;
-  for (std::size_t j = 0; j <= last; ++j)
-    tag = random::mix(tag + 0x9e3779b97f4a7c15u + std::bit_cast<std::uint64_t>(row[j] / unit + 0.0));
-  return tag;
-}
-
-}  // namespace
-
 IntersectionParts::IntersectionParts(std::size_t d)
     : sites(static_cast<int>(d) + 1, kernel::RowForm::homogeneous) {
-  sites.coordinates.assign(d + 1, 0.0);
-  sites.coordinates[d] = -1;
-  site_at.add(ray_tag(sites.point(0), d + 1), 0);
+  std::vector<double> row_at_infinity(d + 1, 0.0);
+  row_at_infinity[d] = -1;
+  sites.add_site(row_at_infinity.data());
   interior.rounded.assign(d, 0.0);
 }
 
 IntersectionParts::IntersectionParts(const IntersectionParts& other)
     : sites(other.sites),
-      site_at(other.site_at),
-      row_of_site(other.row_of_site),
-      site_of_row(other.site_of_row),
       basis(other.basis),
       interior(other.interior),
       state(other.state),
@@ -319,44 +300,19 @@ IntersectionParts::IntersectionParts(const IntersectionParts& other)
   if (other.cone) cone.emplace(sites, *other.cone);
 }
 
-void IntersectionParts::reserve(std::size_t more) {
-  if (more < site_of_row.size()) return;  // then vectors grow by themselves
-  site_at.reserve(sites.size() + more);
-  sites.coordinates.reserve(sites.coordinates.size() + more * static_cast<std::size_t>(sites.ambient));
-  row_of_site.reserve(row_of_site.size() + more);
-  site_of_row.reserve(site_of_row.size() + more);
+void IntersectionParts::add_rows(std::span<const double> rows, const std::vector<Index>& having_normal) {
+  const auto first = static_cast<Index>(sites.size());
+  sites.add_rows(rows, &having_normal);
+  add_duals(first);
 }
 
-void IntersectionParts::add_dual(Index site) {
-  const std::size_t k = sites.axes.size() - 1;
-  sites.duals.resize((static_cast<std::size_t>(site) + 1) * 2 * k, 0.0);
-  if (site != 0)
+void IntersectionParts::add_duals(Index first) {
+  if (sites.axes.empty()) return;
+  const auto k = static_cast<std::size_t>(rank());
+  sites.duals.resize(sites.size() * 2 * k, 0.0);
+  for (Index site = std::max(first, Index{1}); site < sites.size(); ++site)
     dual_point(sites.point(site), interior, std::span(sites.axes).first(k),
                sites.duals.data() + site * 2 * k);
-}
-
-Index IntersectionParts::site_of_ray(const double* row, SignedIndex r) {
-  const auto size = static_cast<std::size_t>(sites.ambient);
-  const std::uint64_t tag = ray_tag(row, size);
-  const Index found =
-      site_at.find(tag, [&](Index site) { return kernel::equal_rows(sites.flat(), sites.point(site), row); });
-  if (found != invalid_index) return found;
-  const auto site = static_cast<Index>(sites.size());
-  sites.coordinates.insert(sites.coordinates.end(), row, row + size);
-  row_of_site.push_back(r);
-  site_at.add(tag, site);
-  if (!sites.axes.empty()) add_dual(site);
-  return site;
-}
-
-void IntersectionParts::drop_sites(Index first_site, std::size_t first_row) noexcept {
-  const auto size = static_cast<std::size_t>(sites.ambient);
-  for (auto site = static_cast<Index>(sites.size()); site-- > first_site;)
-    site_at.remove_last(ray_tag(sites.point(site), size), site);
-  sites.coordinates.resize(first_site * size);
-  sites.duals.resize(std::min(sites.duals.size(), std::size_t{first_site} * 2 * (sites.axes.size() - 1)));
-  row_of_site.resize(std::min(row_of_site.size(), std::size_t{first_site}));
-  site_of_row.resize(std::min(site_of_row.size(), first_row));
 }
 
 bool is_strictly_inside(const double* row, const InteriorPoint& p) {

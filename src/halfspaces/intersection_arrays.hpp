@@ -4,7 +4,7 @@
 
 #include "halfspaces/halfspace_dual.hpp"
 #include "hull/boundary.hpp"
-#include "hull/site_table.hpp"
+#include "sites/growing_sites.hpp"
 
 #include <delone/halfspaces.hpp>
 
@@ -23,19 +23,15 @@ struct IntersectionParts {
   IntersectionParts& operator=(const IntersectionParts&) = delete;
 
   int rank() const { return sites.axes.empty() ? 0 : sites.dimension(); }
-  /// Makes room for so many more rows.
-  void reserve(std::size_t more);
-  void add_dual(Index site);
-  /// The site of a row's ray, which is new if it is the last one: of row r. REQUIRES a normal.
-  Index site_of_ray(const double* row, SignedIndex r);
-  /// Takes back the sites and rows from these on, some of which may have been added in part only.
-  void drop_sites(Index first_site, std::size_t first_row) noexcept;
+  /// Adds rows; those in the list have a normal. If it throws, they may have been added in part.
+  void add_rows(std::span<const double> rows, const std::vector<Index>& having_normal);
+  /// Computes the dual points of the sites from `first` on, if the axes are known.
+  void add_duals(Index first);
+  /// The first row of a site; −1 for the row at infinity.
+  SignedIndex row_of_site(Index site) const { return static_cast<SignedIndex>(sites.row_of_site(site)); }
 
-  SiteSet sites;
-  SiteTable site_at;
-  std::vector<SignedIndex> row_of_site{-1};  // the first row of each site; −1 for the row at infinity
-  std::vector<Index> site_of_row;            // invalid_index for rows without a normal
-  std::vector<Index> basis;                  // k+1 independent sites, increasing; the first is site 0
+  sites::GrowingSites sites;  // rows without a normal have none
+  std::vector<Index> basis;   // k+1 independent sites, increasing; the first is site 0
   InteriorPoint interior;
   IntersectionState state = IntersectionState::full;
   std::vector<SignedIndex> witness;

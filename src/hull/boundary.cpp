@@ -10,7 +10,7 @@
 
 namespace delone::internal {
 
-Boundary::Boundary(const SiteSet& sites, const std::vector<Index>& simplex, CentralView view)
+Boundary::Boundary(const BoundarySites& sites, const std::vector<Index>& simplex, CentralView view)
     : sites_(sites), view_(std::move(view)), is_surely_interior_(sites.size(), 0) {
   now_.insertions = simplex.size();
   if (simplex.size() == 2) {
@@ -27,7 +27,7 @@ Boundary::Boundary(const SiteSet& sites, const std::vector<Index>& simplex, Cent
   engine_ = make_boundary_engine(sites, view_, simplex);
 }
 
-Boundary::Boundary(const SiteSet& sites, const Boundary& other)
+Boundary::Boundary(const BoundarySites& sites, const Boundary& other)
     : sites_(sites),
       view_(other.view_),
       is_surely_interior_(other.is_surely_interior_),

@@ -21,9 +21,9 @@ class Boundary {
  public:
   /// The boundary of the simplex of k+1 independent sites, k ≥ 1. `view`: with a centre, without a box, which
   /// is that of all sites. `sites` must outlive this object and may grow.
-  Boundary(const SiteSet& sites, const std::vector<Index>& simplex, CentralView view);
+  Boundary(const BoundarySites& sites, const std::vector<Index>& simplex, CentralView view);
   /// A copy that reads the sites from another place.
-  Boundary(const SiteSet& sites, const Boundary& other);
+  Boundary(const BoundarySites& sites, const Boundary& other);
 
   /// Makes room for what is noted of n sites.
   void reserve(std::size_t n) { is_surely_interior_.reserve(n); }
@@ -106,7 +106,7 @@ class Boundary {
   void sort_cells() const;
   SimplicialHull hull_of_sorted_cells() const;
 
-  const SiteSet& sites_;
+  const BoundarySites& sites_;
   CentralView view_;
   std::unique_ptr<BoundaryEngine> engine_;  // none for k = 1
   std::vector<char> is_surely_interior_;    // by site

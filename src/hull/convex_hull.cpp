@@ -24,11 +24,11 @@
 
 namespace delone {
 
+using internal::BoundarySites;
 using internal::HullAnalysis;
 using internal::HullLocator;
 using internal::HullState;
 using internal::SimplicialHull;
-using internal::SiteSet;
 using internal::TolerantHull;
 
 namespace {
@@ -343,7 +343,7 @@ std::vector<SignedIndex> Polytope::visible_facets(const AnyPoint<>& query) const
 
 CanonicalHash Polytope::hash() const {
   const SimplicialHull& hull = impl_->hull();
-  const SiteSet& sites = impl_->state->sites();
+  const BoundarySites& sites = impl_->state->sites();
   const unsigned threads = impl_->options.threads;
   internal::HashAccumulator hash;
   std::vector<char> is_corner(sites.size(), 0);

@@ -161,7 +161,7 @@ class Refinement {
   }
   template <int D>
   std::vector<std::size_t> exactly_beyond() const {
-    const SiteSet& sites = sieve_.shell().sites();
+    const BoundarySites& sites = sieve_.shell().sites();
     const std::vector<Facet> all = facets();
     std::vector<const double*> corners(ambient());
     std::vector<std::size_t> beyond;

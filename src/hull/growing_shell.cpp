@@ -77,7 +77,7 @@ class GrowingShell::Cones {
     for (std::size_t r = 0; r < d_; ++r) std::copy_n(matrix_.data() + r * width + d_, d_, result + r * d_);
   }
 
-  const SiteSet& sites_;
+  const BoundarySites& sites_;
   const SimplicialHull& hull_;
   const double* center_;
   std::size_t d_;

@@ -60,7 +60,7 @@ const HullData& HullAnalysis::data() const {
 }
 
 std::vector<PointKind> HullAnalysis::find_kinds() const {
-  const SiteSet& sites = state_.sites();
+  const BoundarySites& sites = state_.sites();
   const PolytopeFaces& faces = this->faces();
   std::vector<char> is_corner(sites.size(), 0);
   for (const Index site : state_.hull().cells) is_corner[site] = 1;
@@ -99,7 +99,7 @@ std::vector<PointKind> HullAnalysis::find_kinds() const {
 }
 
 FacetEquations HullAnalysis::equations(HullMeasures* measures) const {
-  const SiteSet& sites = state_.sites();
+  const BoundarySites& sites = state_.sites();
   std::vector<const double*> scratch;
   return facet_equations(
       sites, state_.hull(), faces().facet_of_cell, faces().num_facets(),
@@ -114,7 +114,7 @@ FacetEquations HullAnalysis::equations(HullMeasures* measures) const {
 }
 
 HullData HullAnalysis::make_data() const {
-  const SiteSet& sites = state_.sites();
+  const BoundarySites& sites = state_.sites();
   const SimplicialHull& hull = state_.hull();
   HullData data;
   data.dimension = sites.ambient;

@@ -11,8 +11,8 @@ namespace {
 
 /// K is the dimension of the flat, or 0.
 template <int K>
-std::size_t walk(const SiteSet& sites, const SimplicialHull& hull, const double* center, const double* q,
-                 std::size_t start, const kernel::Grid& grid) {
+std::size_t walk(const BoundarySites& sites, const SimplicialHull& hull, const double* center,
+                 const double* q, std::size_t start, const kernel::Grid& grid) {
   const std::size_t k = hull.corners();
   std::vector<const double*> simplex(k + 1, center);
   const kernel::Flat flat = sites.flat();
@@ -33,7 +33,7 @@ std::size_t walk(const SiteSet& sites, const SimplicialHull& hull, const double*
 
 }  // namespace
 
-CentralView view_from_inside(const SiteSet& sites, const std::vector<Index>& simplex) {
+CentralView view_from_inside(const BoundarySites& sites, const std::vector<Index>& simplex) {
   CentralView view(sites.grid);
   view.center.assign(static_cast<std::size_t>(sites.ambient), 0.0);
   std::vector<const double*> points;
@@ -54,8 +54,9 @@ CentralView view_from_inside(const SiteSet& sites, const std::vector<Index>& sim
   return view;
 }
 
-std::size_t walk_cones(const SiteSet& sites, const SimplicialHull& hull, const std::vector<double>& center,
-                       const double* q, std::size_t start, const kernel::Grid& grid) {
+std::size_t walk_cones(const BoundarySites& sites, const SimplicialHull& hull,
+                       const std::vector<double>& center, const double* q, std::size_t start,
+                       const kernel::Grid& grid) {
   kernel::Grid grid_of_all = grid;
   grid_of_all.include(center.data());
   return with_compiled_dimension<1, 6>(

@@ -24,8 +24,8 @@ namespace delone::internal {
 /// `grid` covers all sites and the point. Tries the mean rounded to a few bits first, which keeps
 /// determinants of lattices exact, then the mean itself. Returns false if neither is inside.
 template <class IsInside>
-bool choose_interior_point(const SiteSet& sites, const std::vector<Index>& around, std::vector<double>& point,
-                           IsInside is_inside) {
+bool choose_interior_point(const BoundarySites& sites, const std::vector<Index>& around,
+                           std::vector<double>& point, IsInside is_inside) {
   const std::size_t d = point.size();
   std::vector<double> mean(d, 0.0), extent(d, 0.0);
   for (const Index site : around)
@@ -50,10 +50,11 @@ bool choose_interior_point(const SiteSet& sites, const std::vector<Index>& aroun
 }
 
 /// A view of points from strictly inside the simplex of some sites, if a double is. It has no box.
-CentralView view_from_inside(const SiteSet& sites, const std::vector<Index>& simplex);
+CentralView view_from_inside(const BoundarySites& sites, const std::vector<Index>& simplex);
 
 /// A cell whose closed cone, seen from `center`, contains q. Exact. `grid` covers the sites and q.
-std::size_t walk_cones(const SiteSet& sites, const SimplicialHull& hull, const std::vector<double>& center,
-                       const double* q, std::size_t start, const kernel::Grid& grid);
+std::size_t walk_cones(const BoundarySites& sites, const SimplicialHull& hull,
+                       const std::vector<double>& center, const double* q, std::size_t start,
+                       const kernel::Grid& grid);
 
 }  // namespace delone::internal

@@ -15,7 +15,7 @@ namespace delone::internal {
 class HullLocator {
  public:
   /// Both arguments must outlive this object and must not change. O(1).
-  HullLocator(const SiteSet& sites, const Boundary& boundary)
+  HullLocator(const BoundarySites& sites, const Boundary& boundary)
       : sites_(sites), boundary_(boundary), hull_(boundary.hull()) {}
 
   struct Result {
@@ -48,7 +48,7 @@ class HullLocator {
   Result approach(const double* q) const;
   Result search_all(const double* q, const kernel::Grid& grid) const;
 
-  const SiteSet& sites_;
+  const BoundarySites& sites_;
   const Boundary& boundary_;
   const SimplicialHull& hull_;
 };

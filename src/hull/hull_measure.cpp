@@ -63,7 +63,7 @@ double times_power(double x, std::int64_t exponent) {
   return std::ldexp(x, static_cast<int>(std::clamp<std::int64_t>(exponent, -10000, 10000)));
 }
 
-std::vector<const double*>& gather(const SiteSet& sites, std::span<const Index> cell,
+std::vector<const double*>& gather(const BoundarySites& sites, std::span<const Index> cell,
                                    std::vector<const double*>& points) {
   points.clear();
   for (const Index site : cell) points.push_back(sites.point(site));
@@ -73,7 +73,7 @@ std::vector<const double*>& gather(const SiteSet& sites, std::span<const Index> 
 /// Sums over the cells of a hull.
 class Measuring {
  public:
-  Measuring(const SiteSet& sites, const SimplicialHull& hull)
+  Measuring(const BoundarySites& sites, const SimplicialHull& hull)
       : sites_(sites),
         apex_(hull.cells[0]),
         is_full_(hull.dimension > 1 && hull.dimension == sites.ambient) {}
@@ -105,14 +105,14 @@ class Measuring {
   }
 
  private:
-  const SiteSet& sites_;
+  const BoundarySites& sites_;
   Index apex_;
   bool is_full_;
   MeasureSum volume_, area_;
 };
 
 template <int D>
-HullMeasures measure(const SiteSet& sites, const SimplicialHull& hull, unsigned threads) {
+HullMeasures measure(const BoundarySites& sites, const SimplicialHull& hull, unsigned threads) {
   constexpr std::size_t part = 8192;
   std::vector<Measuring> of_parts((hull.num_cells() + part - 1) / part, Measuring(sites, hull));
   for_parts(threads, hull.num_cells(), part, [&](std::size_t first, std::size_t last, const StopPoint& stop) {
@@ -132,7 +132,7 @@ HullMeasures measure(const SiteSet& sites, const SimplicialHull& hull, unsigned 
 }
 
 /// An upper bound on the distance between two sites.
-double extent_of(const SiteSet& sites) {
+double extent_of(const BoundarySites& sites) {
   double square = 0;  // of the diagonal of the bounding box
   for (int j = 0; j < sites.ambient; ++j) {
     double low = sites.point(0)[j], high = low;
@@ -174,7 +174,8 @@ void orthogonalize(const std::vector<const double*>& points, const double* inner
 }
 
 template <int D>
-void fill_equations(const SiteSet& sites, const SimplicialHull& hull, std::span<const Index> facet_of_cell,
+void fill_equations(const BoundarySites& sites, const SimplicialHull& hull,
+                    std::span<const Index> facet_of_cell,
                     const std::function<const double*(std::size_t)>& inner, std::span<const Index> seeds,
                     HullMeasures* measures, FacetEquations& result) {
   const std::size_t d = static_cast<std::size_t>(sites.ambient), k = hull.corners();
@@ -270,12 +271,12 @@ Measure simplex_volume(std::span<const double* const> points, int ambient) {
           times_power(bound / factorial, exponent) + std::numeric_limits<double>::denorm_min()};
 }
 
-HullMeasures measure_hull(const SiteSet& sites, const SimplicialHull& hull, unsigned threads) {
+HullMeasures measure_hull(const BoundarySites& sites, const SimplicialHull& hull, unsigned threads) {
   if (hull.num_cells() == 0) return {};
   return with_compiled_dimension(hull.corners(), [&](auto k) { return measure<k()>(sites, hull, threads); });
 }
 
-FacetEquations facet_equations(const SiteSet& sites, const SimplicialHull& hull,
+FacetEquations facet_equations(const BoundarySites& sites, const SimplicialHull& hull,
                                std::span<const Index> facet_of_cell, std::size_t num_facets,
                                const std::function<const double*(std::size_t)>& inner,
                                std::span<const Index> seeds, HullMeasures* measures) {

@@ -44,7 +44,7 @@ Measure simplex_volume(std::span<const double* const> points, int ambient);
 struct HullMeasures {
   Measure volume, area;
 };
-HullMeasures measure_hull(const SiteSet& sites, const SimplicialHull& hull, unsigned threads = 1);
+HullMeasures measure_hull(const BoundarySites& sites, const SimplicialHull& hull, unsigned threads = 1);
 
 /// For each facet the outward unit normal of its hyperplane within the flat and the offset, d+1 numbers, with
 /// the error bounds of Polytope::data(). Each facet takes the equation of its cell with the smallest bound.
@@ -54,7 +54,7 @@ HullMeasures measure_hull(const SiteSet& sites, const SimplicialHull& hull, unsi
 struct FacetEquations {
   std::vector<double> equations, errors;
 };
-FacetEquations facet_equations(const SiteSet& sites, const SimplicialHull& hull,
+FacetEquations facet_equations(const BoundarySites& sites, const SimplicialHull& hull,
                                std::span<const Index> facet_of_cell, std::size_t num_facets,
                                const std::function<const double*(std::size_t)>& inner,
                                std::span<const Index> seeds = {}, HullMeasures* measures = nullptr);

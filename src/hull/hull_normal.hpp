@@ -153,7 +153,7 @@ class HullNormals {
   std::size_t stride() const { return k_ + 1; }
 
   /// Writes k numbers, the normal, then a bound on its error in 2-norm: infinity if nothing is known.
-  void compute(const SiteSet& sites, std::span<const Index> cell, bool reversed, double* record) {
+  void compute(const BoundarySites& sites, std::span<const Index> cell, bool reversed, double* record) {
     points_.clear();
     for (const Index site : cell) points_.push_back(sites.point(site));
     const bool known = normal_.compute(points_.data(), sites.axes, reversed);
@@ -163,7 +163,7 @@ class HullNormals {
 
   /// The side of q with respect to the hyperplane through `base`, + inside and − beyond, if the normal proves
   /// it; else zero.
-  Sign side(const SiteSet& sites, const double* record, const double* base, const double* q) const {
+  Sign side(const BoundarySites& sites, const double* record, const double* base, const double* q) const {
     double value = 0, magnitude = 0, length = 0;
     for (std::size_t j = 0; j < k_; ++j) {
       const auto axis = static_cast<std::size_t>(sites.axes[j]);

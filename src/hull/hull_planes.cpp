@@ -15,7 +15,7 @@ namespace delone::internal {
 /// of a product, at most k − 1 of sums. So is n·(b − o). The last term is at most 2e·Σw_j. Changing each x_j
 /// by 2·error_j changes N·x by at most 2·Σ(|n_j| + e)·error_j. The slack covers
 /// the rounding of M, of the thresholds (their terms are at most M), and products that underflow.
-HullPlanes hull_planes(const SiteSet& sites, const SimplicialHull& hull, std::span<const Index> cells,
+HullPlanes hull_planes(const BoundarySites& sites, const SimplicialHull& hull, std::span<const Index> cells,
                        const CenteredBox& box) {
   const std::size_t d = box.center.size();
   HullPlanes planes;

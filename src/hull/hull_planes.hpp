@@ -32,7 +32,7 @@ struct HullPlanes {
 };
 
 /// The planes of some cells of a hull of full dimension, whose sites are in the box.
-HullPlanes hull_planes(const SiteSet& sites, const SimplicialHull& hull, std::span<const Index> cells,
+HullPlanes hull_planes(const BoundarySites& sites, const SimplicialHull& hull, std::span<const Index> cells,
                        const CenteredBox& box);
 
 }  // namespace delone::internal

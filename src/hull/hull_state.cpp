@@ -24,9 +24,6 @@ HullState::HullState(const HullState& other)
     : sites_(other.sites_),
       affine_hull_(other.affine_hull_),
       basis_(other.basis_),
-      row_of_site_(other.row_of_site_),
-      site_of_row_(other.site_of_row_),
-      site_at_(other.site_at_),
       sieved_(other.sieved_),
       earlier_(other.earlier_) {
   if (other.boundary_) boundary_ = std::make_unique<Boundary>(sites_, *other.boundary_);
@@ -34,10 +31,8 @@ HullState::HullState(const HullState& other)
 
 HullState::HullState(const HullState& all, std::span<const Index> vertices, std::vector<int> axes,
                      const Options& options)
-    : sites_(all.sites_),
+    : sites_(all.sites_, sites::GrowingSites::Finished()),
       affine_hull_(all.sites_.ambient),
-      row_of_site_(all.row_of_site_),
-      site_of_row_(all.site_of_row_),
       earlier_(all.statistics()) {
   // The basis is independent after projection, hence before.
   kernel::AffineHull projected(std::max(1, static_cast<int>(axes.size())));
@@ -67,28 +62,6 @@ HullState::HullState(const HullState& all, std::span<const Index> vertices, std:
   boundary_->find_interior(others, 1);
 }
 
-Index HullState::find_site(std::uint64_t tag, const double* point) const {
-  return site_at_.find(
-      tag, [&](Index site) { return kernel::equal_points(sites_.point(site), point, sites_.ambient); });
-}
-
-/// A new site, not yet part of the boundary.
-Index HullState::add_site(const double* point, std::size_t row, std::uint64_t tag) {
-  const auto site = static_cast<Index>(sites_.size());
-  row_of_site_.push_back(static_cast<Index>(row));
-  sites_.coordinates.insert(sites_.coordinates.end(), point, point + ambient());
-  sites_.grid.include(point);
-  site_at_.add(tag, site);
-  return site;
-}
-
-/// Takes back a site that was added, perhaps not wholly.
-void HullState::drop_last_site(Index site, std::uint64_t tag) {
-  row_of_site_.resize(site);
-  sites_.coordinates.resize(site * ambient());
-  site_at_.remove_last(tag, site);
-}
-
 /// Lets a site raise the affine dimension; true if it did.
 bool HullState::raise(Index site) {
   if (affine_hull_.dimension() == sites_.ambient || !affine_hull_.add(sites_.point(site))) return false;
@@ -108,8 +81,7 @@ class HullState::Rollback {
         affine_hull_(state.affine_hull_),
         basis_(state.basis_),
         axes_(state.sites_.axes),
-        num_sites_(static_cast<Index>(state.sites_.size())),
-        num_rows_(state.num_rows()),
+        mark_(state.sites_.mark()),
         had_sieved_rows_(!state.sieved_.empty()),
         earlier_(state.earlier_) {}
   ~Rollback() {
@@ -122,14 +94,7 @@ class HullState::Rollback {
     state_.affine_hull_ = std::move(affine_hull_);
     state_.basis_ = std::move(basis_);
     state_.sites_.axes = std::move(axes_);
-    for (auto site = static_cast<Index>(state_.sites_.size()); site-- > num_sites_;)
-      state_.site_at_.remove_last(point_tag(state_.sites_.point(site), state_.sites_.ambient).low, site);
-    state_.sites_.coordinates.resize(num_sites_ * state_.ambient());
-    state_.row_of_site_.resize(num_sites_);
-    state_.site_of_row_.resize(num_rows_);
-    internal::shrink_large(state_.sites_.coordinates);
-    internal::shrink_large(state_.row_of_site_);
-    internal::shrink_large(state_.site_of_row_);
+    state_.sites_.rollback(mark_);
     if (!had_sieved_rows_) state_.sieved_ = SievedRows();
     state_.earlier_ = earlier_;
   }
@@ -156,8 +121,7 @@ class HullState::Rollback {
   kernel::AffineHull affine_hull_;
   std::vector<Index> basis_;
   std::vector<int> axes_;
-  Index num_sites_;
-  std::size_t num_rows_;
+  sites::GrowingSites::Mark mark_;
   bool had_sieved_rows_;
   Statistics earlier_;
   std::unique_ptr<Boundary> boundary_;
@@ -191,33 +155,6 @@ void HullState::insert_in_threads(std::span<const Index> sites, std::span<const 
   boundary_->insert_all(sites, rounds, threads, progress);
 }
 
-/// Rows to sites: all that are given, or those of `rows`, if there are any; the others have none.
-void HullState::add_rows(std::span<const double> coordinates, std::span<const Index> rows) {
-  const std::size_t first_row = num_rows(), n = rows.empty() ? coordinates.size() / ambient() : rows.size();
-  const auto row_at = [&](std::size_t i) { return rows.empty() ? i : rows[i]; };
-  site_of_row_.resize(first_row + coordinates.size() / ambient(), invalid_index);
-  site_at_.reserve(sites_.size() + n);
-  sites_.coordinates.reserve(sites_.coordinates.size() + n * ambient());
-  // Tags are known some rows ahead: the table is large, and what is asked of it is not in the cache.
-  constexpr std::size_t ahead = 16;
-  std::uint64_t tags[ahead];
-  const auto foresee = [&](std::size_t i) {
-    if (i >= n) return;
-    tags[i % ahead] = point_tag(coordinates.data() + row_at(i) * ambient(), sites_.ambient).low;
-    site_at_.prefetch(tags[i % ahead]);
-  };
-  for (std::size_t i = 0; i < ahead; ++i) foresee(i);
-  for (std::size_t i = 0; i < n; ++i) {
-    const double* point = coordinates.data() + row_at(i) * ambient();
-    cancellation_point();
-    const std::uint64_t tag = tags[i % ahead];
-    foresee(i + ahead);
-    const Index site = find_site(tag, point);
-    site_of_row_[first_row + row_at(i)] =
-        site != invalid_index ? site : add_site(point, first_row + row_at(i), tag);
-  }
-}
-
 /// Adds the rows of the first batch. Interior ones that a few passes find have no sites. Returns the sites to
 /// begin with, if they are known.
 std::vector<Index> HullState::sieve(std::span<const double> coordinates, unsigned threads) {
@@ -236,9 +173,9 @@ std::vector<Index> HullState::sieve(std::span<const double> coordinates, unsigne
         interior.push_back(static_cast<Index>(row));
     sieved_ = SievedRows(coordinates, sites_.ambient, std::move(interior));
   }
-  add_rows(coordinates, remaining);
+  sites_.add_rows(coordinates, &remaining);
   std::vector<Index> outermost;
-  for (const Index row : sieve.shell_rows()) outermost.push_back(site_of_row_[row]);
+  for (const Index row : sieve.shell_rows()) outermost.push_back(sites_.site_of_row(row));
   std::sort(outermost.begin(), outermost.end());
   outermost.erase(std::unique(outermost.begin(), outermost.end()), outermost.end());
   return outermost;
@@ -247,22 +184,9 @@ std::vector<Index> HullState::sieve(std::span<const double> coordinates, unsigne
 /// As if there had been no sieve, so that later rows can be compared with all earlier ones. Strong guarantee.
 void HullState::give_sieved_rows_sites() {
   if (sieved_.empty()) return;
-  const std::vector<Index>&rows = sieved_.rows(), &first = sieved_.first_rows();
-  const std::size_t n = sites_.size() + rows.size();
-  sites_.coordinates.reserve(n * ambient());
-  row_of_site_.reserve(n);
-  boundary_->reserve(n);
-  site_at_.reserve(n);
   const auto first_site = static_cast<Index>(sites_.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (first[i] != rows[i]) {
-      site_of_row_[rows[i]] = site_of_row_[first[i]];
-      continue;
-    }
-    const double* point = sieved_.point(rows[i]);
-    const Index site = add_site(point, rows[i], point_tag(point, sites_.ambient).low);
-    site_of_row_[rows[i]] = site;
-  }
+  boundary_->reserve(sites_.size() + sieved_.rows().size());
+  sites_.give_sites(sieved_.rows(), [&](Index row) { return sieved_.point(row); });
   boundary_->include_sites(first_site);
   for (Index site = first_site; site < sites_.size(); ++site) boundary_->leave_out(site);
   sieved_ = SievedRows();
@@ -294,7 +218,7 @@ void HullState::insert_range(std::span<const double> coordinates, const Options&
       options.order != InsertionOrder::as_given && coordinates.size() >= least_to_sieve * ambient())
     outermost = sieve(coordinates, options.threads);
   else
-    add_rows(coordinates, {});
+    sites_.add_rows(coordinates);
   earlier_.order_seconds += stopwatch.seconds();
 
   stopwatch.restart();
@@ -352,41 +276,25 @@ void HullState::insert_range(std::span<const double> coordinates, const Options&
 
 HullInsertResult HullState::insert_in_flat(const double* point) {
   give_sieved_rows_sites();
+  const sites::GrowingSites::Mark before = sites_.mark();
   HullInsertResult result;
   result.row = num_rows();
-  site_of_row_.reserve(result.row + 1);
-  const std::uint64_t tag = point_tag(point, sites_.ambient).low;
-  if (const Index site = find_site(tag, point); site != invalid_index) {
-    site_of_row_.push_back(site);
-    result.duplicate = true;
-    return result;
-  }
-  const auto site = static_cast<Index>(sites_.size());
+  const Index site = sites_.add_row(point);
+  result.duplicate = site < before.sites;
+  if (result.duplicate) return result;
   try {
-    add_site(point, result.row, tag);
     boundary_->include_sites(site);
     result.inserted = boundary_->insert(site) == Insertion::vertex;
   } catch (...) {
-    drop_last_site(site, tag);
+    sites_.rollback(before);
     throw;
   }
-  site_of_row_.push_back(site);
   return result;
 }
 
 Index HullState::add_without_inserting(const double* point) {
-  const std::uint64_t tag = point_tag(point, sites_.ambient).low;
-  if (const Index site = find_site(tag, point); site != invalid_index) return site;
-  const auto site = static_cast<Index>(sites_.size());
-  site_of_row_.reserve(num_rows() + 1);
-  try {
-    add_site(point, num_rows(), tag);
-  } catch (...) {
-    drop_last_site(site, tag);
-    throw;
-  }
-  site_of_row_.push_back(site);
-  return site;
+  const Index site = sites_.find(point);
+  return site != invalid_index ? site : sites_.add_row(point);
 }
 
 std::size_t HullState::num_duplicates() const {

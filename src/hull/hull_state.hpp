@@ -6,8 +6,8 @@
 #include "compiled/simplicial_hull.hpp"
 #include "hull/boundary.hpp"
 #include "hull/sieved_rows.hpp"
-#include "hull/site_table.hpp"
 #include "kernel/predicates.hpp"
+#include "sites/growing_sites.hpp"
 
 #include <delone/convex_hull.hpp>
 
@@ -43,20 +43,20 @@ class HullState {
   /// A point that is a duplicate, or in the affine hull, does not raise the dimension.
   bool raises_dimension(const double* point) const;
 
-  const SiteSet& sites() const { return sites_; }
+  const BoundarySites& sites() const { return sites_; }
   const kernel::AffineHull& affine_hull() const { return affine_hull_; }
   /// Sites that span the flat.
   const std::vector<Index>& basis() const { return basis_; }
-  std::size_t num_rows() const { return site_of_row_.size(); }
+  std::size_t num_rows() const { return sites_.num_rows(); }
   /// Rows that are equal to earlier ones.
   std::size_t num_duplicates() const;
   /// invalid_index for a row that is interior for certain and has no site; see sieved_rows().
-  Index site_of_row(std::size_t row) const { return site_of_row_[row]; }
+  Index site_of_row(std::size_t row) const { return sites_.site_of_row(row); }
   const double* point_of_row(std::size_t row) const {
-    return site_of_row_[row] != invalid_index ? sites_.point(site_of_row_[row]) : sieved_.point(row);
+    return site_of_row(row) != invalid_index ? sites_.point(site_of_row(row)) : sieved_.point(row);
   }
   /// The first row at a site; increasing, but for sites that are surely interior.
-  SignedIndex row(Index site) const { return static_cast<SignedIndex>(row_of_site_[site]); }
+  SignedIndex row(Index site) const { return static_cast<SignedIndex>(sites_.row_of_site(site)); }
   const SievedRows& sieved_rows() const { return sieved_; }
   /// Whether a site was found in the interior when it was inserted. Others may be in the interior, too.
   bool is_surely_interior(Index site) const { return boundary_ && boundary_->is_surely_interior(site); }
@@ -70,14 +70,10 @@ class HullState {
   class Rollback;
 
   std::size_t ambient() const { return static_cast<std::size_t>(sites_.ambient); }
-  Index find_site(std::uint64_t tag, const double* point) const;
-  Index add_site(const double* point, std::size_t row, std::uint64_t tag);
-  void drop_last_site(Index site, std::uint64_t tag);
   bool raise(Index site);
   void make_boundary();
   void restart(Rollback& rollback);
   void note_effort(Statistics& sum) const;
-  void add_rows(std::span<const double> coordinates, std::span<const Index> rows);
   std::vector<Index> sieve(std::span<const double> coordinates, unsigned threads);
   void give_sieved_rows_sites();
   void insert_in_threads(std::span<const Index> sites, std::span<const std::size_t> rounds,
@@ -85,10 +81,9 @@ class HullState {
                          const std::function<void(std::size_t)>& progress);
   std::vector<std::size_t> put_in_order(std::vector<Index>& sites, const Options& options) const;
 
-  SiteSet sites_;
+  sites::GrowingSites sites_;
   kernel::AffineHull affine_hull_;
-  std::vector<Index> basis_, row_of_site_, site_of_row_;
-  SiteTable site_at_;
+  std::vector<Index> basis_;
   SievedRows sieved_;
   std::unique_ptr<Boundary> boundary_;
   Statistics earlier_;  // of builders that were given up, and the times

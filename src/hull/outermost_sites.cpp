@@ -21,7 +21,7 @@ struct Range {
 
 }  // namespace
 
-std::vector<Index> outermost_sites(const SiteSet& sites, Index first) {
+std::vector<Index> outermost_sites(const BoundarySites& sites, Index first) {
   const auto d = static_cast<std::size_t>(sites.ambient);
   std::vector<Range> ranges(d);
   for (Index site = first; site < sites.size(); ++site)

@@ -2,8 +2,8 @@
 #include "hull/sieved_rows.hpp"
 
 #include "complex/canonical_hash.hpp"
-#include "hull/site_table.hpp"
 #include "kernel/stages.hpp"
+#include "sites/site_table.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -29,7 +29,7 @@ SievedRows& SievedRows::operator=(SievedRows&& other) noexcept {
 const std::vector<Index>& SievedRows::first_rows() const {
   const std::lock_guard lock(mutex_);
   if (first_rows_) return *first_rows_;
-  SiteTable table;
+  sites::SiteTable table;
   table.reserve(rows_.size());
   std::vector<Index> first(rows_.size());
   // Tags are known some rows ahead: the table is large, and what is asked of it is not in the cache.

@@ -342,7 +342,7 @@ void Campaign::hull_filter(const Simplex<Int>& truth, const std::vector<const do
     CellMemory<K - 1> memory(K - 1);
     memory.reserve(1);
     memory.prepare(1);
-    sites::SiteSet sites(K);
+    sites::BoundarySites sites(K);
     sites.coordinates = coordinates;
     sites.axes = axes;
     geometry::CentralView view(grid);

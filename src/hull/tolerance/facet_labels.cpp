@@ -17,7 +17,7 @@ namespace {
 
 class Labels {
  public:
-  Labels(const SiteSet& sites, const SimplicialHull& hull, double tolerance)
+  Labels(const BoundarySites& sites, const SimplicialHull& hull, double tolerance)
       : sites_(sites),
         hull_(hull),
         near_(sites.ambient, hull.dimension, tolerance),
@@ -118,7 +118,7 @@ class Labels {
     }
   }
 
-  const SiteSet& sites_;
+  const BoundarySites& sites_;
   const SimplicialHull& hull_;
   NearFlat near_;
   std::vector<Index> label_;
@@ -131,7 +131,7 @@ class Labels {
 
 }  // namespace
 
-PolytopeFaces label_facets(const SiteSet& sites, const SimplicialHull& hull, double tolerance) {
+PolytopeFaces label_facets(const BoundarySites& sites, const SimplicialHull& hull, double tolerance) {
   PolytopeFaces faces;
   faces.is_extreme.assign(sites.size(), 0);
   for (const Index site : hull.cells) faces.is_extreme[site] = 1;

@@ -14,6 +14,6 @@ namespace delone::internal {
 /// seed's plane, and the facets are a function of the set of cells. All sites of cells are extreme. Facets
 /// are numbered in the order of their first cells. Cost: one normal per cell, a test per ridge, and more
 /// where cells are joined.
-PolytopeFaces label_facets(const SiteSet& sites, const SimplicialHull& hull, double tolerance);
+PolytopeFaces label_facets(const BoundarySites& sites, const SimplicialHull& hull, double tolerance);
 
 }  // namespace delone::internal

@@ -96,7 +96,7 @@ class Search {
   }
 
   bool all_are_necessary() {
-    const SiteSet& sites = shell().sites();
+    const BoundarySites& sites = shell().sites();
     const std::vector<double> sums = directions();
     std::vector<const double*> others;
     std::vector<double> direction(d_);

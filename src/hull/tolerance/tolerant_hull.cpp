@@ -18,7 +18,7 @@ namespace {
 /// Sites that span the hull well come first: the boundary begins with their simplex, and rays from a point
 /// inside it are what queries are located by. A simplex of vertices of one rounded face would have no double
 /// inside.
-std::vector<Index> well_spread_first(const SiteSet& sites, std::vector<Index> vertices,
+std::vector<Index> well_spread_first(const BoundarySites& sites, std::vector<Index> vertices,
                                      std::size_t dimension) {
   std::vector<const double*> points;
   for (const Index site : vertices) points.push_back(sites.point(site));

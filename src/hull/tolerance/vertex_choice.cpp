@@ -19,7 +19,7 @@ bool is_less(const double* a, const double* b, int dimension) {
   return std::lexicographical_compare(a, a + dimension, b, b + dimension);
 }
 
-std::vector<const double*> points_of(const SiteSet& sites, const ExtremeSites& extreme) {
+std::vector<const double*> points_of(const BoundarySites& sites, const ExtremeSites& extreme) {
   std::vector<const double*> points;
   for (const Index site : extreme.sites()) points.push_back(sites.point(site));
   return points;
@@ -53,7 +53,7 @@ bool is_far_along_mean(std::span<const double* const> neighbors, const double* v
 }
 
 /// Which of the extreme sites are necessary, by their places.
-std::vector<char> find_necessary(const SiteSet& sites, const ExtremeSites& extreme, double tolerance,
+std::vector<char> find_necessary(const BoundarySites& sites, const ExtremeSites& extreme, double tolerance,
                                  const std::function<void()>& alive) {
   const std::size_t h = extreme.size();
   std::vector<char> necessary(h, 0), marks(h, 0);
@@ -92,7 +92,7 @@ VertexChoice choice_of(Cover& cover, const ExtremeSites& extreme) {
 }
 
 /// The choice among the sites that are extreme in the projection on the axes; none if they do not cover all.
-std::optional<NearFlatChoice> choose_projected(const SiteSet& sites, const ExtremeSites& extreme,
+std::optional<NearFlatChoice> choose_projected(const BoundarySites& sites, const ExtremeSites& extreme,
                                                std::vector<int> axes, double tolerance,
                                                const std::function<void()>& alive) {
   std::vector<char> allowed(extreme.size(), 0), required(extreme.size(), 0);
@@ -147,7 +147,7 @@ bool is_far_from_flats(GrowingFlat flat, int dimension, double tolerance) {
 
 }  // namespace
 
-ExtremeSites::ExtremeSites(const SiteSet& sites, const Lists& facet_sites) {
+ExtremeSites::ExtremeSites(const BoundarySites& sites, const Lists& facet_sites) {
   sites_ = facet_sites.items;
   std::sort(sites_.begin(), sites_.end());
   sites_.erase(std::unique(sites_.begin(), sites_.end()), sites_.end());
@@ -177,7 +177,7 @@ void ExtremeSites::add_neighbors(std::size_t place, std::vector<char>& marks,
       if (std::exchange(marks[v], 1) == 0) list.push_back(v);
 }
 
-VertexChoice choose_vertices(const SiteSet& sites, const ExtremeSites& extreme, double tolerance,
+VertexChoice choose_vertices(const BoundarySites& sites, const ExtremeSites& extreme, double tolerance,
                              const std::function<void()>& alive) {
   const std::vector<char> necessary = find_necessary(sites, extreme, tolerance, alive);
   if (std::find(necessary.begin(), necessary.end(), 0) == necessary.end()) return {extreme.sites(), 0};
@@ -194,8 +194,9 @@ VertexChoice choose_vertices(const SiteSet& sites, const ExtremeSites& extreme, 
   return choice_of(cover, extreme);
 }
 
-std::optional<NearFlatChoice> choose_in_flat(const SiteSet& sites, const ExtremeSites& extreme, int dimension,
-                                             double tolerance, const std::function<void()>& alive) {
+std::optional<NearFlatChoice> choose_in_flat(const BoundarySites& sites, const ExtremeSites& extreme,
+                                             int dimension, double tolerance,
+                                             const std::function<void()>& alive) {
   GrowingFlat flat(points_of(sites, extreme), sites.ambient);
   if (is_far_from_flats(flat, dimension, tolerance)) return std::nullopt;
   for (int k = 0; k < dimension; ++k) {

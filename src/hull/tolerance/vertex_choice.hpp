@@ -22,7 +22,7 @@ namespace delone::internal {
 class ExtremeSites {
  public:
   /// `facet_sites`: the extreme sites of each facet.
-  ExtremeSites(const SiteSet& sites, const Lists& facet_sites);
+  ExtremeSites(const BoundarySites& sites, const Lists& facet_sites);
 
   std::size_t size() const { return sites_.size(); }
   Index site(std::size_t place) const { return sites_[place]; }
@@ -62,7 +62,7 @@ struct VertexChoice {
 /// that is not costs a search of the nearest point among neighbors, and, if these do not cover it, a few
 /// searches for the farthest kept point in a direction, each O(log h) on data that are not very degenerate,
 /// whenever its distance has fallen.
-VertexChoice choose_vertices(const SiteSet& sites, const ExtremeSites& extreme, double tolerance,
+VertexChoice choose_vertices(const BoundarySites& sites, const ExtremeSites& extreme, double tolerance,
                              const std::function<void()>& alive);
 
 /// A flat of lower dimension than the points that all of them are near to.
@@ -78,7 +78,8 @@ struct NearFlatChoice {
 /// elimination with pivoting; only sites that are extreme there can be vertices, and are chosen as above, by
 /// distances in space. If some point is farther than the tolerance from the hull of all these, one more
 /// dimension is tried. None if that leads to as many dimensions as the points have, `dimension`.
-std::optional<NearFlatChoice> choose_in_flat(const SiteSet& sites, const ExtremeSites& extreme, int dimension,
-                                             double tolerance, const std::function<void()>& alive);
+std::optional<NearFlatChoice> choose_in_flat(const BoundarySites& sites, const ExtremeSites& extreme,
+                                             int dimension, double tolerance,
+                                             const std::function<void()>& alive);
 
 }  // namespace delone::internal

@@ -42,7 +42,7 @@ struct Hull {
   }
   Index size() const { return static_cast<Index>(sites.size()); }
 
-  sites::SiteSet sites;
+  sites::BoundarySites sites;
   CentralView view;
   CellMemory<2> memory;
   std::optional<CentralGeometry<2>> geometry;
@@ -167,7 +167,7 @@ struct Cone {
     geometry.emplace(memory, sites, view, std::vector<Index>{1, 2, 3});
     geometry->update_box();
   }
-  sites::SiteSet sites;
+  sites::BoundarySites sites;
   CentralView view;
   CellMemory<1> memory;
   std::optional<CentralGeometry<1>> geometry;

@@ -334,7 +334,7 @@ void expect_right_hull(const Sample& sample, std::uint64_t seed, Tally& tally) {
     for (std::size_t j = 0; j < size; ++j) center[j] += points[(v - 1) * size + j] / (K + 2);
   grid.include(center.data());
 
-  sites::SiteSet sites(sample.ambient);
+  sites::BoundarySites sites(sample.ambient);
   sites.coordinates = points;
   sites.axes = axes;
   CentralView view(grid);

@@ -58,10 +58,9 @@ std::size_t count_inner(const Halfspaces& given) {
   parts.interior.rounded = given.point;
   parts.sites.axes.resize(d + 1);
   std::iota(parts.sites.axes.begin(), parts.sites.axes.end(), 0);
-  parts.add_dual(0);
-  for (std::size_t r = 0; r * (d + 1) < given.rows.size(); ++r)
-    parts.site_of_row.push_back(
-        parts.site_of_ray(given.rows.data() + r * (d + 1), static_cast<SignedIndex>(r)));
+  std::vector<Index> all_rows(given.rows.size() / (d + 1));
+  std::iota(all_rows.begin(), all_rows.end(), Index{0});
+  parts.add_rows(given.rows, all_rows);
   const SitesToInsert sites = sites_to_insert(parts, 1, {});
   std::vector<Index> all = sites.order;
   all.insert(all.end(), sites.inner.begin(), sites.inner.end());

@@ -20,7 +20,7 @@ namespace {
 
 void expect_right(const char* generator, std::size_t n, std::vector<std::size_t> rounds) {
   SCOPED_TRACE(generator);
-  const SiteSet sites = sites_of(3, make_point_set(generator, 3, n, 1));
+  const BoundarySites sites = sites_of(3, make_point_set(generator, 3, n, 1));
   const std::vector<Index> simplex{0, 1, 2, 3};
   std::vector<Index> others(n - 4);
   std::iota(others.begin(), others.end(), Index{4});

@@ -19,7 +19,7 @@ constexpr auto always = [](const double*, const kernel::Grid&) { return true; };
 
 // The mean is (1, 1/3); its extents are 2 and 2/3, so the units of the first trial are 2⁻⁶ and 2⁻⁸.
 TEST(ChooseInteriorPoint, TriesFewBitsFirst) {
-  const SiteSet sites = sites_of(2, {0, 0, 3, 0, 0, 1});
+  const BoundarySites sites = sites_of(2, {0, 0, 3, 0, 0, 1});
   std::vector<double> point(2);
   EXPECT_TRUE(choose_interior_point(sites, {0, 1, 2}, point, always));
   EXPECT_THAT(point, ElementsAre(1, 85.0 / 256));
@@ -32,7 +32,7 @@ TEST(ChooseInteriorPoint, TriesFewBitsFirst) {
 }
 
 TEST(ChooseInteriorPoint, GivesAGridForThePoint) {
-  const SiteSet sites = sites_of(1, {0, 3});
+  const BoundarySites sites = sites_of(1, {0, 3});
   std::vector<double> point(1);
   EXPECT_TRUE(choose_interior_point(sites, {0, 1}, point, [](const double* p, const kernel::Grid& grid) {
     return grid.exponent(0) <= kernel::trailing_exponent(*p);
@@ -43,7 +43,7 @@ TEST(ChooseInteriorPoint, GivesAGridForThePoint) {
 
 TEST(ChooseInteriorPoint, HoldsAtTheEndsOfTheRange) {
   for (const double scale : {0x1p-1073, 0x1p-1000, 0x1p1022}) {
-    const SiteSet sites = sites_of(1, {-scale, scale, 0, scale});
+    const BoundarySites sites = sites_of(1, {-scale, scale, 0, scale});
     std::vector<double> point(1);
     EXPECT_TRUE(choose_interior_point(sites, {0, 1}, point, always));
     EXPECT_EQ(point[0], 0);
@@ -67,7 +67,7 @@ HullState cross_polytope(int d) {
 TEST(WalkCones, FindsTheOrthant) {
   for (int d = 2; d <= 4; ++d) {
     const HullState state = cross_polytope(d);
-    const SiteSet& sites = state.sites();
+    const BoundarySites& sites = state.sites();
     const SimplicialHull& hull = state.hull();
     ASSERT_EQ(hull.num_cells(), std::size_t{1} << d);
     const std::vector<double> center(static_cast<std::size_t>(d), 0.0);
@@ -86,7 +86,7 @@ TEST(WalkCones, FindsTheOrthant) {
 
 TEST(WalkCones, AcceptsWallsAndTheCenter) {
   const HullState state = cross_polytope(3);
-  const SiteSet& sites = state.sites();
+  const BoundarySites& sites = state.sites();
   const SimplicialHull& hull = state.hull();
   const std::vector<double> center(3, 0.0);
   for (std::size_t start = 0; start < hull.num_cells(); ++start) {
@@ -109,7 +109,7 @@ TEST(WalkCones, FindsEachCellOfALatticeCube) {
   for (int d = 2; d <= 3; ++d) {
     HullState state(d);
     state.insert_range(test::lattice(d, 3).points, {});
-    const SiteSet& sites = state.sites();
+    const BoundarySites& sites = state.sites();
     const SimplicialHull& hull = state.hull();
     const std::vector<double> center(static_cast<std::size_t>(d), 1.0);
     for (std::size_t c = 0; c < hull.num_cells(); ++c) {

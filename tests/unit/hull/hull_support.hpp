@@ -15,8 +15,8 @@
 namespace delone::internal {
 
 /// Sites on the given axes of R^dimension, all of them by default.
-inline SiteSet sites_of(int dimension, std::vector<double> coordinates, std::vector<int> axes = {}) {
-  SiteSet sites(dimension);
+inline BoundarySites sites_of(int dimension, std::vector<double> coordinates, std::vector<int> axes = {}) {
+  BoundarySites sites(dimension);
   sites.coordinates = std::move(coordinates);
   sites.axes = std::move(axes);
   if (sites.axes.empty()) {

@@ -23,7 +23,7 @@ TEST(OutermostSites, AreTheEndsOfALine) {
 // The axes come first: x, then y. The diagonals of the box then find the corners, though it is 1000 times as
 // wide as it is high.
 TEST(OutermostSites, AreFarthestAlongAxesAndDiagonals) {
-  const SiteSet sites =
+  const BoundarySites sites =
       sites_of(2, {0, 0, -500, 0, 500, 0, 0, -0.5, 0, 0.5, 400, 0.4, -400, 0.4, 400, -0.4, -400, -0.4});
   EXPECT_THAT(outermost_sites(sites, 0), ElementsAre(1, 2, 3, 4, 8, 5, 6, 7));
 }

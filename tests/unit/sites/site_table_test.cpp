@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hull/site_table.hpp"
+#include "sites/site_table.hpp"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-namespace delone::internal {
+namespace delone::sites {
 namespace {
 
 constexpr auto any = [](Index) { return true; };
@@ -78,4 +78,4 @@ TEST(SiteTable, HasReservedRoom) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::sites

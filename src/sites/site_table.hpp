@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::sites {
 
 class SiteTable {
  public:
@@ -76,4 +76,4 @@ class SiteTable {
   std::size_t size_ = 0;
 };
 
-}  // namespace delone::internal
+}  // namespace delone::sites

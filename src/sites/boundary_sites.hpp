@@ -13,8 +13,8 @@
 namespace delone::sites {
 
 /// Sites by id.
-struct SiteSet {
-  explicit SiteSet(int row_size, kernel::RowForm given = kernel::RowForm::point)
+struct BoundarySites {
+  explicit BoundarySites(int row_size, kernel::RowForm given = kernel::RowForm::point)
       : ambient(row_size), form(given), grid(row_size) {}
 
   std::size_t size() const { return coordinates.size() / static_cast<std::size_t>(ambient); }
