@@ -37,26 +37,35 @@ struct FromLastRow {
   E entries;
 };
 
+/// The operations of a term, for one kind of vector: the compiler chooses among the overloads of Highway
+/// here, and not at each term of a determinant, which would take it half of its time.
+template <class V>
+struct Terms {
+  static HWY_INLINE V product(V a, V b) { return hwy::HWY_NAMESPACE::Mul(a, b); }
+  static HWY_INLINE V added(V a, V b, V sum) { return hwy::HWY_NAMESPACE::MulAdd(a, b, sum); }
+  static HWY_INLINE V subtracted(V a, V b, V sum) { return hwy::HWY_NAMESPACE::NegMulAdd(a, b, sum); }
+};
+
+/// The column of a set that follows `before` others of the set.
+constexpr int column_of(unsigned set, int before) {
+  for (; before > 0; --before) set &= set - 1;
+  return std::countr_zero(set);
+}
+
 /// The minor of the first |Set| rows and a set of columns, from those of one row less, by sets of columns.
-template <unsigned Set, class E, class V>
-HWY_INLINE V minor_from_smaller(const E& entries, const V* minors) {
-  namespace hn = hwy::HWY_NAMESPACE;
-  constexpr int last_row = std::popcount(Set) - 1;
+/// `row`: the entries of row |Set| − 1. Before: 0 … |Set| − 2.
+template <unsigned Set, class V, int... Before>
+HWY_INLINE V minor_from_smaller(const V* row, const V* minors, std::integer_sequence<int, Before...>) {
   constexpr int last = std::bit_width(Set) - 1;
-  V minor = entries.at(last_row, last);
-  if constexpr (last_row > 0) {
-    minor = hn::Mul(minor, minors[Set & ~(1u << last)]);
-    [&]<int... C>(std::integer_sequence<int, C...>) {
-      const auto add = [&]<int Column>(std::integral_constant<int, Column>) {
-        if constexpr (Column < last && (Set >> Column & 1) != 0) {
-          constexpr bool negative = std::popcount(Set >> Column) % 2 == 0;
-          const V entry = entries.at(last_row, Column), smaller = minors[Set & ~(1u << Column)];
-          minor = negative ? hn::NegMulAdd(entry, smaller, minor) : hn::MulAdd(entry, smaller, minor);
-        }
-      };
-      (add(std::integral_constant<int, C>{}), ...);
-    }
-    (std::make_integer_sequence<int, E::columns>{});
+  V minor = row[last];
+  if constexpr (sizeof...(Before) > 0) {
+    minor = Terms<V>::product(minor, minors[Set & ~(1u << last)]);
+    ((minor = (sizeof...(Before) - Before) % 2 != 0
+                  ? Terms<V>::subtracted(row[column_of(Set, Before)],
+                                         minors[Set & ~(1u << column_of(Set, Before))], minor)
+                  : Terms<V>::added(row[column_of(Set, Before)],
+                                    minors[Set & ~(1u << column_of(Set, Before))], minor)),
+     ...);
   }
   return minor;
 }
@@ -79,9 +88,16 @@ HWY_INLINE void for_each_set(const F& f) {
 
 /// All minors of up to Rows rows, by sets of columns; that of none is not written.
 template <int Rows, class E, class V>
-HWY_INLINE void tabulate_minors(const E& entries, V* minors) {
+HWY_INLINE void tabulate_minors(const E& matrix, V* minors) {
+  V entries[Rows * E::columns];
+  for (int row = 0; row < Rows; ++row)
+    for (int column = 0; column < E::columns; ++column)
+      entries[row * E::columns + column] = matrix.at(row, column);
   for_each_set<1, (1u << E::columns) - 1>([&]<unsigned Set>(std::integral_constant<unsigned, Set>) {
-    if constexpr (std::popcount(Set) <= Rows) minors[Set] = minor_from_smaller<Set>(entries, minors);
+    constexpr int size = std::popcount(Set);
+    if constexpr (size <= Rows)
+      minors[Set] = minor_from_smaller<Set>(entries + (size - 1) * E::columns, minors,
+                                            std::make_integer_sequence<int, size - 1>{});
   });
 }
 
@@ -97,35 +113,46 @@ constexpr bool is_odd(unsigned first, unsigned second, unsigned third) {
   return inversions % 2 != 0;
 }
 
+/// The terms of the cofactor of an entry of a square matrix: the sets of Row of the other columns, in
+/// ascending order, and whether each is subtracted.
+template <int Columns, int Row, int Column>
+struct CofactorTerms {
+  static constexpr unsigned others = ((1u << Columns) - 1) & ~(1u << Column);
+  static constexpr bool has(unsigned set) { return std::popcount(set) == Row && (set & ~others) == 0; }
+  static constexpr std::size_t count = [] {
+    std::size_t n = 0;
+    for (unsigned set = 0; set <= others; ++set) n += has(set);
+    return n;
+  }();
+
+  constexpr CofactorTerms() {
+    std::size_t n = 0;
+    for (unsigned set = 0; set <= others; ++set)
+      if (has(set)) {
+        sets[n] = set;
+        odd[n++] = is_odd(set, 1u << Column, others & ~set);
+      }
+  }
+  unsigned sets[count] = {};
+  bool odd[count] = {};
+};
+
 /// The cofactor of an entry of a square matrix, up to a sign that depends on the row only, from the minors of
 /// the rows above and below it (those of FromLastRow).
 template <int Columns, int Row, int Column, class V>
 HWY_INLINE V cofactor(const V* above, const V* below) {
-  namespace hn = hwy::HWY_NAMESPACE;
-  constexpr unsigned others = ((1u << Columns) - 1) & ~(1u << Column);
-  constexpr unsigned first = [] {
-    unsigned set = 0;  // as many of the others as there are rows above
-    for (int column = 0; std::popcount(set) < Row; ++column) set |= others & 1u << column;
-    return set;
-  }();
-  const auto term = [&]<unsigned Set>(std::integral_constant<unsigned, Set>) {
-    constexpr unsigned rest = others & ~Set;
-    if constexpr (Set == 0)
-      return below[rest];
-    else if constexpr (rest == 0)
-      return above[Set];
-    else
-      return hn::Mul(above[Set], below[rest]);
-  };
-  V sum = term(std::integral_constant<unsigned, first>{});
-  if constexpr (is_odd(first, 1u << Column, others & ~first)) sum = hn::Neg(sum);
-  for_each_set<0, 1u << Columns>([&]<unsigned Set>(std::integral_constant<unsigned, Set>) {
-    if constexpr (std::popcount(Set) == Row && (Set & ~others) == 0 && Set != first) {
-      constexpr unsigned rest = others & ~Set;
-      sum = is_odd(Set, 1u << Column, rest) ? hn::NegMulAdd(above[Set], below[rest], sum)
-                                            : hn::MulAdd(above[Set], below[rest], sum);
-    }
-  });
+  constexpr CofactorTerms<Columns, Row, Column> terms;
+  constexpr unsigned first = terms.sets[0], others = terms.others;
+  V sum = Row == 0 ? below[others] : above[first];  // there is no minor of no rows
+  if constexpr (Row > 0 && Row < Columns - 1) sum = Terms<V>::product(sum, below[others & ~first]);
+  if constexpr (terms.odd[0]) sum = hwy::HWY_NAMESPACE::Neg(sum);
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    ((sum = terms.odd[I + 1]
+                ? Terms<V>::subtracted(above[terms.sets[I + 1]], below[others & ~terms.sets[I + 1]], sum)
+                : Terms<V>::added(above[terms.sets[I + 1]], below[others & ~terms.sets[I + 1]], sum)),
+     ...);
+  }
+  (std::make_index_sequence<terms.count - 1>{});
   return sum;
 }
 
