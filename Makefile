@@ -36,7 +36,10 @@ wheels:               ## build a source distribution and a wheel from it, and ru
 	for p in python3 /usr/bin/python3; do if $$p -c "import numpy, pytest, hypothesis, wheel" 2>/dev/null; then \
 	  exec $$p -B tests/python/check_wheel.py --full $(version) --wheels build/wheels; fi; done; exit 1
 
-demo: build           ## triangulate, check and draw three real data sets
+demo:                 ## triangulate, check and draw three real data sets
+	tools/install_dependencies.sh build
+	cmake --preset release $(launcher) >/dev/null
+	cmake --build --preset release -j $(jobs) --target delone_cli
 	tools/demo.sh build/release build/demo
 
 test: test-release test-asan  ## run all tests, then the unit and fuzz tests under sanitizers

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# delone_unite(<target> <files>): in builds with tests, compiles the sources of a folder together, up to so many at a time. What they
-# include is then parsed once, and templates that they share are compiled once: a fifth of the time less. A source with
-# compile options of its own, and one that Highway compiles for several instruction sets, stays alone.
-# In the preset dev, and without tests, each source is compiled by itself, so that it includes what it uses.
+# delone_unite(<target> <files>): compiles the sources of a folder together, up to so many at a time. What they include is then parsed
+# once, and templates that they share are compiled once: half of the time less. A source with compile options of its own, and one that
+# Highway compiles for several instruction sets, stays alone.
+# In the preset dev each source is compiled by itself, so that it includes what it uses.
 function(delone_unite target files)
-  if(NOT DELONE_DEVELOPER_MODE OR CMAKE_DISABLE_PRECOMPILE_HEADERS)
+  if(CMAKE_DISABLE_PRECOMPILE_HEADERS)
     return()
   endif()
   get_target_property(sources ${target} SOURCES)
@@ -25,4 +25,16 @@ function(delone_unite target files)
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
+
+# delone_unite_made(<target> <name> <source>...): adds sources that CMake makes to the target, joined in the file <name>.cpp.
+function(delone_unite_made target name)
+  set(sources ${ARGN})
+  if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
+    list(TRANSFORM sources REPLACE "(.+)" "#include \"\\1\"\n")
+    string(JOIN "" content ${sources})
+    set(sources ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+    file(CONFIGURE OUTPUT ${sources} CONTENT "${content}" @ONLY)
+  endif()
+  target_sources(${target} PRIVATE ${sources})
 endfunction()
