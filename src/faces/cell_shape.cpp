@@ -26,11 +26,10 @@
 #include "base/progress_meter.hpp"
 #include "faces/edge_inverse.hpp"
 #include "kernel/fractions.hpp"
-#include "kernel/grid.hpp"
+#include "solve/integer_edges.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -167,26 +166,13 @@ double root_of_determinant(const EdgeInverse<N, T>& e) {
   return std::pow(product, (e.is_square() ? 2 : 1) / dn) * std::exp2(2 * powers / dn);
 }
 
-/// The edges from the first vertex in integers.
-struct IntegerEdges {
-  int grid = std::numeric_limits<int>::max();
-  std::vector<Integer> edges, gram;
+/// The Gram matrix of the edges from the first vertex, in integers.
+struct IntegerGram {
   std::size_t n;
+  std::vector<Integer> gram;
 
-  IntegerEdges(const double* const* points, std::size_t corners, std::size_t d) : n(corners - 1) {
-    for (std::size_t i = 0; i < corners; ++i)
-      for (std::size_t j = 0; j < d; ++j) grid = std::min(grid, kernel::trailing_exponent(points[i][j]));
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < d; ++j)
-        edges.push_back(kernel::scaled_integer(points[i + 1][j], grid) -
-                        kernel::scaled_integer(points[0][j], grid));
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t m = 0; m < n; ++m) {
-        Integer dot = 0;
-        for (std::size_t j = 0; j < d; ++j) dot += edges[i * d + j] * edges[m * d + j];
-        gram.push_back(std::move(dot));
-      }
-  }
+  IntegerGram(const double* const* points, std::size_t corners, std::size_t d)
+      : n(corners - 1), gram(IntegerEdges({points, corners}, {}, d).gram()) {}
 
   /// From vertex i+1 to vertex m+1, or to the first one if i = m.
   Integer square_of_edge(std::size_t i, std::size_t m) const {
@@ -220,7 +206,7 @@ Integer make_adjugate(std::vector<Integer>& a, std::size_t n) {
 
 /// The square of the radius is this over 4·det G squared units: bᵀ(adj G)b for the squared lengths b of the
 /// edges from the first vertex.
-Integer square_of_radius(const IntegerEdges& e, const std::vector<Integer>& adjugate) {
+Integer square_of_radius(const IntegerGram& e, const std::vector<Integer>& adjugate) {
   Integer square = 0;
   for (std::size_t i = 0; i < e.n; ++i) {
     Integer row = 0;
@@ -234,7 +220,7 @@ Integer square_of_radius(const IntegerEdges& e, const std::vector<Integer>& adju
 /// of adj G. Summed in units of 2^60, so that the sum is beyond the range of doubles only where the ratio is
 /// below all of them.
 double exact_radius_ratio(const double* const* points, std::size_t corners, std::size_t d) {
-  const IntegerEdges e(points, corners, d);
+  const IntegerGram e(points, corners, d);
   std::vector<Integer> adjugate = e.gram;
   const Integer determinant = make_adjugate(adjugate, e.n), square = square_of_radius(e, adjugate),
                 denominator = 4 * determinant * determinant;
@@ -249,7 +235,7 @@ double exact_radius_ratio(const double* const* points, std::size_t corners, std:
 }
 
 double exact_radius_edge_ratio(const double* const* points, std::size_t corners, std::size_t d) {
-  const IntegerEdges e(points, corners, d);
+  const IntegerGram e(points, corners, d);
   Integer shortest = e.gram[0];
   for (std::size_t i = 0; i < e.n; ++i)
     for (std::size_t m = 0; m <= i; ++m) shortest = std::min(shortest, e.square_of_edge(i, m));
@@ -259,7 +245,7 @@ double exact_radius_edge_ratio(const double* const* points, std::size_t corners,
 }
 
 double exact_mean_ratio(const double* const* points, std::size_t corners, std::size_t d) {
-  const IntegerEdges e(points, corners, d);
+  const IntegerGram e(points, corners, d);
   const auto n = static_cast<int>(e.n);
   Integer squares = 0;
   for (std::size_t i = 0; i < e.n; ++i)

@@ -2,6 +2,7 @@
 #include "faces/exact_orthosphere.hpp"
 
 #include "kernel/grid.hpp"
+#include "solve/integer_edges.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,43 +41,18 @@ bool SquareBound::admits(const Integer& numerator, const Integer& denominator, i
 
 ExactOrthosphere::ExactOrthosphere(const double* const* points, std::size_t corners, std::size_t dimension,
                                    bool weighted) {
-  const std::size_t n = corners - 1;
-  grid_ = std::numeric_limits<int>::max();
-  for (std::size_t i = 0; i < corners; ++i) {
-    for (std::size_t j = 0; j < dimension; ++j)
-      grid_ = std::min(grid_, kernel::trailing_exponent(points[i][j]));
-    if (weighted) grid_ = std::min(grid_, kernel::square_exponent(points[i][dimension]));
-  }
-  if (grid_ == std::numeric_limits<int>::max()) grid_ = 0;
-  std::vector<Integer> edges, rights;
-  const auto weight = [&](std::size_t i) {
-    return weighted ? kernel::scaled_integer(points[i][dimension], 2 * grid_) : Integer(0);
-  };
-  for (std::size_t i = 1; i <= n; ++i) {
-    Integer right = weight(0) - weight(i);
-    for (std::size_t j = 0; j < dimension; ++j) {
-      edges.push_back(kernel::scaled_integer(points[i][j], grid_) -
-                      kernel::scaled_integer(points[0][j], grid_));
-      right += edges.back() * edges.back();
-    }
-    rights.push_back(std::move(right));
-  }
-  std::vector<Integer> system;
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t m = 0; m < n; ++m) {
-      Integer dot = 0;
-      for (std::size_t j = 0; j < dimension; ++j) dot += edges[i * dimension + j] * edges[m * dimension + j];
-      system.push_back(std::move(dot));
-    }
-    system.push_back(rights[i]);
-  }
-  kernel::Fractions solution = kernel::solve_exactly(std::move(system), n);
+  std::vector<double> weights;
+  for (std::size_t i = 0; weighted && i < corners; ++i) weights.push_back(points[i][dimension]);
+  const IntegerEdges integers({points, corners}, weights, dimension);
+  grid_ = integers.grid;
+  kernel::Fractions solution = integers.solve_gram(integers.rights);
   determinant_ = std::move(solution.denominator);
   if (determinant_ == 0) return;
-  square_ = -4 * determinant_ * weight(0);
+  square_ = 0;
+  if (weighted) square_ = -4 * determinant_ * kernel::scaled_integer(weights[0], 2 * grid_);
   Integer rest = 2 * determinant_;
-  for (std::size_t i = 0; i < n; ++i) {
-    square_ += rights[i] * solution.numerators[i];
+  for (std::size_t i = 0; i < integers.rights.size(); ++i) {
+    square_ += integers.rights[i] * solution.numerators[i];
     rest -= solution.numerators[i];
   }
   twice_.push_back(std::move(rest));

@@ -6,7 +6,7 @@
 #include "faces/cell_blocks.hpp"
 #include "faces/cell_shape.hpp"
 #include "faces/face_blocks.hpp"
-#include "voronoi/cell_center.hpp"
+#include "solve/cell_center.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The barycentric coordinates y of q solve A·y = b with columns p_j − p_0, b = q − p_0 and one row per axis;
-// that of p_0 is 1 minus their sum. The method is that of the centers of spheres (voronoi/cell_center.cpp)
+// that of p_0 is 1 minus their sum. The method is that of docs/predicates.md, "Small linear systems",
 // without the second step: R is an approximate inverse, α ≥ ‖I − R·A‖∞ (linear_bound.hpp), y⁰ = R·b rounded,
 // ρ = b − A·y⁰. Since A⁻¹ρ = R·ρ + (I − R·A)·A⁻¹ρ,
 //

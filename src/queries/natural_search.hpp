@@ -5,8 +5,8 @@
 
 #include "base/stamped_table.hpp"
 #include "queries/dual_volumes.hpp"
+#include "solve/cell_center.hpp"
 #include "triangulation/stored_points.hpp"
-#include "voronoi/cell_center.hpp"
 
 #include <delone/triangulation.hpp>
 

@@ -6,8 +6,9 @@
 #include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
 #include "kernel/predicates.hpp"
+#include "solve/cell_center.hpp"
+#include "solve/outward_direction.hpp"
 #include "triangulation/stored_points.hpp"
-#include "voronoi/cell_center.hpp"
 
 #include <algorithm>
 #include <cmath>

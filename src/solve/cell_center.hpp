@@ -6,7 +6,7 @@
 #pragma once
 
 #include "kernel/fractions.hpp"
-#include "voronoi/cell_center_kernel.hpp"
+#include "solve/center_kernel.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -51,32 +51,12 @@ class CenterFinder {
   std::uint64_t num_exact() const { return num_exact_; }
 
  private:
-  using Certified = bool (CenterFinder::*)(const double* const*, const double*, double*) const;
-
-  using CertifiedOffset = bool (CenterFinder::*)(const double* const*, double*) const;
-
-  /// Calls finish(axis, start, correction, error, extent) for each axis: that coordinate of the center is
-  /// that of the first point plus start + correction, up to the error. Returns false if that is not certain,
-  /// or `finish` returns false.
-  template <int N, class Finish>
-  bool solve_certified(const double* const* points, const double* weights, Finish finish) const;
-  template <int N>
-  bool find_offset_certified(const double* const* points, double* offset) const;
-  template <int N>
-  bool find_certified(const double* const* points, const double* weights, double* center) const;
   void find_exactly(const double* const* points, const double* weights, double* center) const;
 
-  int dimension_;
+  std::size_t dimension_;
   std::vector<int> axes_;
-  Certified certified_ = nullptr;  // null for tilted flats, and so is the next
-  CertifiedOffset offset_certified_ = nullptr;
+  bool aligned_;
   std::uint64_t num_exact_ = 0;
 };
-
-/// The unit vector orthogonal to the flat of `facet` (k points), within the flat that `facet` and `behind`
-/// span, pointing away from `behind`. Gram–Schmidt, or integers where that cancels more than a few bits. The
-/// relative error is below 10⁻¹².
-std::vector<double> outward_direction(const std::vector<const double*>& facet, const double* behind,
-                                      std::size_t dimension);
 
 }  // namespace delone::internal

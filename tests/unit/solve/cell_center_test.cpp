@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The certified path of centers against the exact one.
-#include "voronoi/cell_center.hpp"
+// The certified path of centers against the exact one, one cell at a time and in SIMD lanes.
+#include "solve/cell_center.hpp"
 
 #include "degenerate.hpp"
 
@@ -56,6 +56,41 @@ TEST_P(CenterOfDimension, CertifiedEqualsExact) {
   EXPECT_GT(slow.num_exact(), 0u);
   // The middle of two doubles is often halfway between two doubles, which no bound on an error can decide.
   EXPECT_LE(num_easy, d == 1 ? 50u : 2u) << "the certified path gives up on random simplices";
+}
+
+// At both ends of the range, and with magnitudes of all kinds in one cell.
+TEST_P(CenterOfDimension, ExtremeCells) {
+  const int d = GetParam();
+  const auto size = static_cast<std::size_t>(d);
+  std::vector<int> axes(size);
+  std::iota(axes.begin(), axes.end(), 0);
+  CenterFinder fast(d, axes, true), slow(d, axes, false);
+  test::Random random(static_cast<std::uint64_t>(d) + 200);
+  for (int run = 0; run < 60; ++run) {
+    std::vector<double> x, weights;
+    for (std::size_t i = 0; i <= size; ++i) {
+      for (std::size_t j = 0; j < size; ++j)
+        x.push_back(run % 6 == 0   ? 1e300 * (random.real() - 0.5)
+                    : run % 6 == 1 ? 1e-300 * random.real()
+                    : run % 6 == 2 ? std::ldexp(random.integer(-9, 9), -1074)  // denormal
+                    : run % 6 == 3 ? std::ldexp(random.real(), random.integer(-400, 400))
+                    : run % 6 == 4 ? 1 + std::ldexp(random.integer(-3, 3), -52)
+                                   : random.integer(-1, 1) * (run % 4 < 2 ? 1e-150 : 1e150));
+      weights.push_back(run % 4 == 0 ? 1e300 : std::ldexp(random.real(), random.integer(-1000, 1000)));
+    }
+    if (orientation(x, d) == Sign::zero) continue;
+    std::vector<const double*> points;
+    for (std::size_t i = 0; i <= size; ++i) points.push_back(x.data() + i * size);
+    for (const double* w :
+         {static_cast<const double*>(nullptr), static_cast<const double*>(weights.data())}) {
+      std::vector<double> one(size), block(size), exact(size);
+      fast.find(points.data(), w, one.data());
+      fast.find_block(1, points.data(), w, block.data());
+      slow.find(points.data(), w, exact.data());
+      EXPECT_EQ(one, exact) << "run " << run;
+      EXPECT_EQ(block, exact) << "run " << run;
+    }
+  }
 }
 
 // Within the stated bound of integers, on easy and on nearly flat simplices far from the origin.
