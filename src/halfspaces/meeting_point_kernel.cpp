@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Performs the operations of find_certified() (halfspace_vertex.cpp) in the same order, so its proof applies.
-// Where that function gives up, or finds that a solution with coordinates that are zero is exact, a lane of a
-// mask is cleared here. Only the approximate inverse differs for n > 3. The proof bounds the defect of any
-// inverse.
 #include "halfspaces/meeting_point_kernel.hpp"
 
 #include "base/compiled_dimension.hpp"
-
-#include <cstdint>
+#include "base/infinity.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "halfspaces/meeting_point_kernel.cpp"
@@ -15,108 +10,109 @@
 // After foreach_target.h
 #include <hwy/highway.h>
 
-#include "kernel/linear-inl.hpp"
+#include "solve/linear_system-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace delone::internal {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
 
-using kernel::HWY_NAMESPACE::inverse_defect;
-using kernel::HWY_NAMESPACE::invert;
-using kernel::HWY_NAMESPACE::Pair;
-using kernel::HWY_NAMESPACE::two_product;
-using kernel::HWY_NAMESPACE::two_sum;
+/// Zero, or so moderate that nothing underflows.
+template <class T>
+HWY_INLINE Mask<T> is_moderate(T x) {
+  return either(x == 0, both(abs(x) >= 0x1p-200, abs(x) <= 0x1p200));
+}
+
+/// Sets the residual of x with its error bounds. Returns where it is certainly zero.
+template <class T, int N>
+HWY_INLINE Mask<T> evaluate(LinearSystem<T, N>& system) {
+  constexpr double u = kernel::unit_roundoff;
+  const std::size_t n = system.size();
+  const auto terms = static_cast<double>(n + 1);
+  const T zero = number<T>(0);
+  Mask<T> is_zero = zero == 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    T sum = system.b[i], rest = zero, magnitude = abs(system.b[i]), lost = zero;
+    for (std::size_t j = 0; j < n; ++j) {
+      const Pair<T> product = two_product(minus(system.a[i * n + j]), system.x[j]);
+      const Pair<T> next = two_sum(sum, product.high);
+      sum = next.high;
+      rest = rest + (next.low + product.low);
+      lost = either_bits(lost, either_bits(next.low, product.low));
+      magnitude = magnitude + abs(product.high);
+    }
+    const T residual = sum + rest;
+    system.residual[i] = residual;
+    system.error[i] =
+        select(lost == 0, zero, (1.01 * u) * (2 * abs(residual) + (2 * terms * terms * u) * magnitude));
+    is_zero = both(is_zero, both(lost == 0, sum == 0));
+  }
+  return is_zero;
+}
+
+/// Solves n_i·x + c_i = 0; `entry(i, j)`: n_ij, and c_i for j = n. Each coordinate of the point is the
+/// nearest double where that is certain. Rows are scaled by powers of two to entries that are zero or
+/// moderate. A residual that is certainly zero settles coordinates that are zero or have few digits.
+template <class T, int N, class Entry>
+HWY_INLINE Mask<T> find_point(std::size_t size, Entry entry, T* point) {
+  LinearSystem<T, N> system(size);
+  const std::size_t n = system.size();
+  const T zero = number<T>(0);
+  Mask<T> certain = zero == 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    T largest = zero;
+    for (std::size_t j = 0; j < n; ++j) largest = max(largest, abs(entry(i, j)));
+    const Mask<T> fits = both(largest >= 0x1p-1000, largest <= 0x1p1000);
+    const T scale = powers_of_two(select(fits, largest, number<T>(1))).scale;
+    certain = both(certain, fits);
+    for (std::size_t j = 0; j <= n; ++j) {
+      const T given = entry(i, j), scaled = given * scale;
+      certain = both(certain, either(given == 0, both(is_moderate(scaled), abs(scaled) > 0)));
+      (j < n ? system.a[i * n + j] : system.b[i]) = j < n ? scaled : minus(scaled);
+    }
+  }
+  certain = both(certain, system.solve(infinity, 0x1p200));
+  if constexpr (is_one_lane<T>)
+    if (!certain) return false;
+  for (std::size_t j = 0; j < n; ++j) system.x[j] = select(is_moderate(system.x[j]), system.x[j], zero);
+  const Mask<T> is_exact = evaluate(system);
+  if (!all<T>(is_exact)) {
+    system.correct(1e-300);
+    Mask<T> moderate = zero == 0, settled = zero == 0;
+    for (std::size_t j = 0; j < n; ++j) {
+      const Nearest<T> nearest = nearest_double({system.x[j], zero}, system.correction[j], system.radius[j]);
+      const T improved = select(abs(nearest.value) <= nearest.radius, zero, nearest.value);
+      moderate = both(moderate, is_moderate(improved));
+      settled = both(settled, nearest.is_settled);
+      system.x[j] = select(is_exact, system.x[j], improved);
+    }
+    settled = either(is_exact, both(settled, moderate));
+    if (!all<T>(settled)) settled = either(settled, both(moderate, evaluate(system)));
+    certain = both(certain, settled);
+  }
+  for (std::size_t j = 0; j < n; ++j) point[j] = system.x[j] + 0.0;  // never −0
+  return certain;
+}
 
 template <int N>
-void find(const double* HWY_RESTRICT rows, double* HWY_RESTRICT points, double* HWY_RESTRICT settled) {
+void find_in_lanes(const double* HWY_RESTRICT rows, double* HWY_RESTRICT points,
+                   double* HWY_RESTRICT settled) {
   constexpr std::size_t n = static_cast<std::size_t>(N);
   const hn::CappedTag<double, meeting_block> d;
-  const hn::RebindToUnsigned<decltype(d)> du;
   using V = hn::Vec<decltype(d)>;
-  constexpr double u = kernel::unit_roundoff;
-  const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
-  const auto times = [&](double factor, V x) { return hn::Mul(hn::Set(d, factor), x); };
-  const auto is_within = [&](V x, double low, double high) {
-    return hn::And(hn::Ge(hn::Abs(x), hn::Set(d, low)), hn::Le(hn::Abs(x), hn::Set(d, high)));
-  };
-  const auto is_zero_or_moderate = [&](V x) {
-    return hn::Or(hn::Eq(x, zero), is_within(x, 0x1p-200, 0x1p200));
-  };
   for (std::size_t lane = 0; lane < meeting_block; lane += hn::Lanes(d)) {
     const auto entry = [&](std::size_t i, std::size_t j) {
       return hn::LoadU(d, rows + (i * (n + 1) + j) * meeting_block + lane);
     };
-    V a[n * n], b[n], inverse[n * n], x[n], residual[n], error[n], correction[n], tail[n];
-    auto ok = hn::Eq(zero, zero);
-    for (std::size_t i = 0; i < n; ++i) {
-      V largest = zero;
-      for (std::size_t j = 0; j < n; ++j) largest = hn::Max(largest, hn::Abs(entry(i, j)));
-      const auto fits = is_within(largest, 0x1p-900, 0x1p900);
-      // By biased exponents: scale = 2^(−e−1) for 2^e ≤ largest < 2^(e+1).
-      const auto power = hn::And(hn::BitCast(du, hn::IfThenElse(fits, largest, one)),
-                                 hn::Set(du, std::uint64_t{0x7ff} << 52));
-      const V scale = hn::BitCast(d, hn::Sub(hn::Set(du, std::uint64_t{2045} << 52), power));
-      ok = hn::And(ok, fits);
-      for (std::size_t j = 0; j <= n; ++j) {
-        const V given = entry(i, j), scaled = hn::Mul(given, scale);
-        ok = hn::And(ok, hn::Or(hn::Eq(given, zero), is_within(scaled, 0x1p-200, 0x1p200)));
-        (j < n ? a[i * n + j] : b[i]) = j < n ? scaled : hn::Neg(scaled);
-      }
-    }
-    invert<N>(d, a, inverse);
-    const V alpha = inverse_defect<N>(d, a, inverse);
-    ok = hn::And(ok, hn::Lt(alpha, hn::Set(d, 0.5)));
-
-    for (std::size_t j = 0; j < n; ++j) {
-      V sum = zero;
-      for (std::size_t i = 0; i < n; ++i) sum = hn::Add(sum, hn::Mul(inverse[j * n + i], b[i]));
-      ok = hn::And(ok, hn::Le(hn::Abs(sum), hn::Set(d, 0x1p200)));
-      x[j] = hn::IfThenElseZero(is_zero_or_moderate(sum), sum);
-    }
-    constexpr double second_order = 2 * static_cast<double>((n + 1) * (n + 1)) * u;
-    for (std::size_t i = 0; i < n; ++i) {
-      V sum = b[i], rest = zero, magnitude = hn::Abs(b[i]);
-      for (std::size_t j = 0; j < n; ++j) {
-        const Pair<V> product = two_product(d, hn::Neg(a[i * n + j]), x[j]);
-        const Pair<V> next = two_sum(sum, product.high);
-        sum = next.high;
-        rest = hn::Add(rest, hn::Add(next.low, product.low));
-        magnitude = hn::Add(magnitude, hn::Abs(product.high));
-      }
-      residual[i] = hn::Add(sum, rest);
-      error[i] = times(1.01 * u, hn::Add(times(2, hn::Abs(residual[i])), times(second_order, magnitude)));
-    }
-    V zeta = zero;
-    for (std::size_t j = 0; j < n; ++j) {
-      correction[j] = zero;
-      tail[j] = zero;
-      for (std::size_t i = 0; i < n; ++i) {
-        correction[j] = hn::Add(correction[j], hn::Mul(inverse[j * n + i], residual[i]));
-        const V of_residual = hn::Add(error[i], times(static_cast<double>(n + 2) * u, hn::Abs(residual[i])));
-        tail[j] = hn::Add(tail[j], hn::Mul(hn::Abs(inverse[j * n + i]), of_residual));
-      }
-      tail[j] = hn::Add(times(1.01, tail[j]), hn::Set(d, 1e-300));
-      zeta = hn::Max(zeta, hn::Add(hn::Abs(correction[j]), tail[j]));
-    }
-    zeta = hn::Mul(zeta, hn::Div(hn::Set(d, 1.01), hn::Sub(one, alpha)));
-
-    for (std::size_t j = 0; j < n; ++j) {
-      const Pair<V> sum = two_sum(x[j], correction[j]);
-      const V radius =
-          hn::Add(times(1.01, hn::Add(hn::Mul(alpha, zeta), tail[j])), times(4 * u, hn::Abs(sum.low)));
-      const V below = hn::Add(sum.high, hn::Sub(sum.low, radius));
-      const V above = hn::Add(sum.high, hn::Add(sum.low, radius));
-      ok = hn::And(ok, hn::And(hn::Eq(below, above), is_within(sum.high, 0x1p-200, 0x1p200)));
-      hn::StoreU(sum.high, d, points + j * meeting_block + lane);
-    }
-    hn::StoreU(hn::IfThenElseZero(ok, one), d, settled + lane);
+    V point[n];
+    const Mask<V> certain = find_point<V, N>(n, entry, point);
+    for (std::size_t j = 0; j < n; ++j) hn::StoreU(point[j], d, points + j * meeting_block + lane);
+    hn::StoreU(hn::IfThenElseZero(certain, hn::Set(d, 1.0)), d, settled + lane);
   }
 }
 
 void find_meeting_points_here(std::size_t n, const double* rows, double* points, double* settled) {
   internal::with_compiled_dimension<least_meeting_lanes, most_meeting_lanes>(n, [&](auto dimension) {
-    if constexpr (dimension() > 0) find<dimension()>(rows, points, settled);
+    if constexpr (dimension() > 0) find_in_lanes<dimension()>(rows, points, settled);
   });
 }
 
@@ -131,6 +127,12 @@ HWY_EXPORT(find_meeting_points_here);
 
 void find_meeting_points_in_lanes(std::size_t n, const double* rows, double* points, double* settled) {
   HWY_DYNAMIC_DISPATCH(find_meeting_points_here)(n, rows, points, settled);
+}
+
+bool find_meeting_point(std::span<const double* const> rows, std::span<const int> columns, double* point) {
+  const auto entry = [&](std::size_t i, std::size_t j) { return rows[i][columns[j]]; };
+  return with_compiled_dimension<1, most_meeting_lanes>(
+      rows.size(), [&](auto n) { return HWY_NAMESPACE::find_point<double, n()>(rows.size(), entry, point); });
 }
 
 }  // namespace delone::internal
