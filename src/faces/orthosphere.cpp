@@ -1,56 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A simplex with vertices p_0 … p_n and weights w_i: a_i = p_i − p_0 are the rows of A, G = A·Aᵀ, and
-// b_i = |a_i|² − (w_i − w_0). The center of its smallest orthosphere is p_0 + x, x = Aᵀλ with 2Gλ = b, and
-// the squared radius is |x|² − w_0. The coordinates λ_1 … λ_n and λ_0 = 1 − Σλ_i of the center are negative
-// at the vertices from which it is separated by their facet. That is so if and only if the vertex is strictly
-// inside the smallest orthosphere of that facet.
-//
-// Certified stage. Everything is computed in binary64, u = 2⁻⁵³, from the doubles h_i nearest to a_i, and a
-// tilde marks what was computed. Let g = max G_ii, ℓ = √g, and B = max(G_ii + |w_i − w_0|). Norms of matrices
-// and of vectors of coordinates λ are those of row sums and largest entries, others are Euclidean; factors
-// like 1.02 cover terms of higher order.
-//
-// 1. |G̃_ij − G_ij| ≤ 1.02(d+3)·u·g, as entries h have errors of u|h|, and d products and sums follow.
-//    R is an approximate inverse of G̃. The defect of R is computed, with an error below
-//    1.01(n+2)·u·n(1 + ‖R‖g), so ‖I − RG‖ ≤ α = defect + 1.1·n(n+d+6)·u·(1 + ‖R‖g). Let α ≤ 1/2.
-// 2. λ̃ = ½R·b̃. The errors of b̃ are below 1.01(d+4)·u·B, and those of the sums of n products below
-//    1.01(n+1)·u·‖R‖B, so |λ̃ − ½Rb| ≤ e = 0.52(n+d+6)·u·‖R‖B. As ½Rb − λ = (RG − I)λ, ‖λ‖ ≤ 2(‖λ̃‖+e), and
-//    |λ̃ − λ| ≤ E = 1.01(e + 2α(‖λ̃‖+e)). The error of λ̃_0 is below 1.01(nE + nu(1 + n‖λ̃‖)).
-// 3. x̃ = Σλ̃_i·h_i is off Aᵀλ̃ by η, |η| ≤ η̂ = 1.1·n(n+1)·u·‖λ̃‖ℓ, so ε = x̃ − x has
-//    |ε| ≤ ε̂ = 1.01·nEℓ + η̂. So |x̃|² is off |x|² by at most ε̂(2|x̃| + ε̂): enough to compare the squared
-//    radius with most numbers.
-// 4. To round it up, let ρ_i = a_i·(a_i − 2x̃) − (w_i − w_0) = b_i − 2a_i·x̃, so ρ = −2Aε. Then
-//    |x̃|² + Σλ̃_i·ρ_i = |x|² + 2x·ε + |ε|² − 2(Aᵀλ̃)·ε = |x|² − |ε|² − 2η·ε, as Aᵀλ̃ = x + ε − (x̃ − Aᵀλ̃).
-//    So an error of |ε|² + 2η̂|ε| remains, which is of second order. Besides |ε| ≤ ε̂, the part of ε in the flat
-//    is at most ½|ρ|·√‖G⁻¹‖ ≤ √(½n‖R‖)·max|ρ_i| as ‖G⁻¹‖ ≤ 2‖R‖, and the rest of it is a part of η. ρ_i is
-//    computed as the residual in voronoi/cell_center.cpp, with an error of e_i = u|ρ̃_i| + 5.1(d+3)²u²·M, where
-//    M = 1.01(g + 2ℓ|x̃| + |w_i − w_0|) ≥ Σ_j|h_ij|(|h_ij| + 2|x̃_j|) + |w_i − w_0| by Cauchy–Schwarz. |x̃|² is
-//    summed in pairs of doubles, with errors of 6u² per sum (kernel/double_double.hpp).
-//
-// The path gives up unless the largest |h| is between 2⁻¹⁵⁰ and 2¹⁵⁰ and weights are below 2³⁰⁰, so that only
-// terms that are smaller than the bounds by more than u can underflow; 10⁻²⁹⁰ covers them.
-//
-// Small lattices. Let all |h| be at most 2^m units, and weights at most 4^m squares of units. Then g, b_i and
-// w_0 are integers of at most γ = (d+2)·4^m squared units. For n = 2, 3 the entries of the adjugate adj G are
-// at most 2γ^(n−1), det G is at most n!·γⁿ, (adj G)·b at most 2nγⁿ, bᵀ(adj G)·b at most 2n²γ^(n+1) and
-// 4·det G·w_0 at most 4n!·γ^(n+1); for n = 1, adj G = 1, the last two are at most γ² and 4γ². For d ≤ 8 and
-// m = 11, 6, 4 (n = 1, 2, 3) these two together stay below 2⁵³ squared units to the power n+1, so nothing is
-// rounded: the signs of λ are those of (adj G)·b and 2·det G − Σ((adj G)·b)_i, and the squared radius is a
-// quotient of integers, whose rounding is settled by an exact product. With units from 2⁻¹⁰⁰ to 2¹⁰⁰ all of
-// these are doubles: they are multiples of 2^(−200·4), and below 2^(200·4 + 53). So is the low part of the
-// product: the quotient, if not 0, is at least 2^(−200 − 53), so its last bit is at least 2^(−200 − 106), and
-// the denominator is a multiple of 2^(−200·3).
 #include "faces/orthosphere.hpp"
 
 #include "base/infinity.hpp"
 #include "base/quick_rounds.hpp"
-#include "faces/certified_gram.hpp"
 #include "faces/orthosphere_kernel.hpp"
 #include "faces/square_in_pairs.hpp"
-#include "kernel/buffer.hpp"
 #include "kernel/double_double.hpp"
 #include "kernel/fractions.hpp"
 #include "kernel/grid.hpp"
+
+#include <hwy/highway.h>
+
+#include "faces/orthosphere_solver-inl.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -61,184 +22,60 @@
 namespace delone::internal {
 namespace {
 
-using kernel::DoubleDouble;
-using kernel::two_product;
-using kernel::two_sum;
-constexpr double u = kernel::unit_roundoff;
-
-/// The least double that is not below a number within `error` of x, if that settles it.
-bool round_up(const DoubleDouble& x, double error, double& rounded) {
-  const DoubleDouble sum = two_sum(x.high, x.low);
-  const double next = std::nextafter(sum.high, infinity), previous = std::nextafter(sum.high, -infinity);
-  rounded = sum.low + error <= 0 ? sum.high : next;
-  return sum.low + error <= 0 ? sum.low - error > previous - sum.high
-                              : sum.low - error > 0 && sum.low + error <= next - sum.high;
-}
+using HWY_NAMESPACE::round_up;
 
 /// One simplex with N edges from p_0 in D dimensions; 0: chosen at run time.
 template <int N, int D>
-class Solver {
- public:
-  Solver(const double* const* points, std::size_t corners, std::size_t dimension, bool weighted)
-      : edges_(points, corners, dimension), n_(edges_.n), d_(edges_.d), right_(n_), weight_(n_), lambda_(n_) {
-    if (weighted) first_weight_ = points[0][d_];
-    for (std::size_t i = 0; i < n_; ++i) {
-      weight_[i] = weighted ? two_sum(points[i + 1][d_], -first_weight_) : DoubleDouble{0, 0};
-      heaviest_ = std::max(heaviest_, std::fabs(weight_[i].high));
-      right_[i] = edges_.gram[i * n_ + i] - weight_[i].high;
-    }
-  }
+using Solver = HWY_NAMESPACE::OrthosphereSolver<double, N, D>;
 
-  /// Whether nothing above was rounded, and nothing of the following will be.
-  bool is_small(double small, double small_square) const {
-    return edges_.largest <= small && heaviest_ <= small_square && std::fabs(first_weight_) <= small_square;
+template <int N, int D>
+Solver<N, D> solver_of(const double* const* points, std::size_t corners, std::size_t dimension,
+                       bool weighted) {
+  return Solver<N, D>(corners - 1, dimension, weighted,
+                      [=](std::size_t i, std::size_t j) { return points[i][j]; });
+}
+
+/// Both answers where Orthospheres::is_small(). REQUIRES N = 1, 2 or 3.
+template <int N, int D>
+Orthospheres::Answer find_small(const Solver<N, D>& solver) {
+  double numerators[3] = {0, 0, 0}, determinant = 0;
+  const auto& G = solver.gram;
+  const auto& right = solver.right;
+  if constexpr (N == 1) {
+    determinant = G[0];
+    numerators[0] = right[0];
+  } else if constexpr (N == 2) {
+    determinant = G[0] * G[3] - G[1] * G[1];
+    numerators[0] = G[3] * right[0] - G[1] * right[1];
+    numerators[1] = G[0] * right[1] - G[1] * right[0];
+  } else if constexpr (N == 3) {
+    const double c00 = G[4] * G[8] - G[5] * G[5], c01 = G[2] * G[5] - G[1] * G[8],
+                 c02 = G[1] * G[5] - G[2] * G[4], c11 = G[0] * G[8] - G[2] * G[2],
+                 c12 = G[1] * G[2] - G[0] * G[5], c22 = G[0] * G[4] - G[1] * G[1];
+    determinant = G[0] * c00 + G[1] * c01 + G[2] * c02;
+    numerators[0] = c00 * right[0] + c01 * right[1] + c02 * right[2];
+    numerators[1] = c01 * right[0] + c11 * right[1] + c12 * right[2];
+    numerators[2] = c02 * right[0] + c12 * right[1] + c22 * right[2];
   }
-  /// Both answers. REQUIRES is_small() and N = 1, 2 or 3.
-  Orthospheres::Answer find_small() const {
-    double numerators[3] = {0, 0, 0}, determinant = 0;
-    const auto& G = edges_.gram;
-    if constexpr (N == 1) {
-      determinant = G[0];
-      numerators[0] = right_[0];
-    } else if constexpr (N == 2) {
-      determinant = G[0] * G[3] - G[1] * G[1];
-      numerators[0] = G[3] * right_[0] - G[1] * right_[1];
-      numerators[1] = G[0] * right_[1] - G[1] * right_[0];
-    } else if constexpr (N == 3) {
-      const double c00 = G[4] * G[8] - G[5] * G[5], c01 = G[2] * G[5] - G[1] * G[8],
-                   c02 = G[1] * G[5] - G[2] * G[4], c11 = G[0] * G[8] - G[2] * G[2],
-                   c12 = G[1] * G[2] - G[0] * G[5], c22 = G[0] * G[4] - G[1] * G[1];
-      determinant = G[0] * c00 + G[1] * c01 + G[2] * c02;
-      numerators[0] = c00 * right_[0] + c01 * right_[1] + c02 * right_[2];
-      numerators[1] = c01 * right_[0] + c11 * right_[1] + c12 * right_[2];
-      numerators[2] = c02 * right_[0] + c12 * right_[1] + c22 * right_[2];
-    }
-    Orthospheres::Answer answer;
-    if (determinant == 0) {
-      answer.square = std::numeric_limits<double>::quiet_NaN();
-      return answer;
-    }
-    double rest = 2 * determinant, product = 0;
-    for (std::size_t i = 0; i < n_; ++i) {
-      if (numerators[i] < 0) answer.beyond |= std::uint64_t{2} << i;
-      rest -= numerators[i];
-      product += right_[i] * numerators[i];
-    }
-    if (rest < 0) answer.beyond |= 1;
-    const double numerator = product - 4 * determinant * first_weight_, denominator = 4 * determinant;
-    answer.square = numerator / denominator;
-    const DoubleDouble back = two_product(answer.square, denominator);
-    if (back.high < numerator || (back.high == numerator && back.low < 0))
-      answer.square = std::nextafter(answer.square, infinity) + 0.0;
+  Orthospheres::Answer answer;
+  if (determinant == 0) {
+    answer.square = std::numeric_limits<double>::quiet_NaN();
     return answer;
   }
-
-  /// Steps 1 and 2; false if no bound holds.
-  bool solve() {
-    if (!(heaviest_ < 0x1p300 && std::fabs(first_weight_) < 0x1p300) || !edges_.invert()) return false;
-    const auto n = static_cast<double>(n_), d = static_cast<double>(d_);
-    double largest_right = 0;
-    for (std::size_t i = 0; i < n_; ++i)
-      largest_right = std::max(largest_right, edges_.gram[i * n_ + i] + std::fabs(weight_[i].high));
-    square_ = edges_.square;
-    for (std::size_t i = 0; i < n_; ++i) {
-      double sum = 0;
-      for (std::size_t m = 0; m < n_; ++m) sum += edges_.inverse[i * n_ + m] * right_[m];
-      lambda_[i] = 0.5 * sum;
-      largest_lambda_ = std::max(largest_lambda_, std::fabs(lambda_[i]));
-    }
-    const double e = 0.52 * (n + d + 6) * u * edges_.norm * largest_right + 1e-290;
-    error_ = 1.01 * (e + 2 * edges_.alpha * (largest_lambda_ + e));
-    return std::isfinite(error_);
+  double rest = 2 * determinant, product = 0;
+  for (std::size_t i = 0; i < solver.num_edges(); ++i) {
+    if (numerators[i] < 0) answer.beyond |= std::uint64_t{2} << i;
+    rest -= numerators[i];
+    product += right[i] * numerators[i];
   }
-  /// The signs of λ; false if they are not certain.
-  bool find_beyond(std::uint64_t& beyond) const {
-    const auto n = static_cast<double>(n_);
-    double first = 1;
-    beyond = 0;
-    bool is_certain = true;
-    for (std::size_t i = 0; i < n_; ++i) {
-      first -= lambda_[i];
-      if (lambda_[i] < -error_) beyond |= std::uint64_t{2} << i;
-      is_certain = is_certain && std::fabs(lambda_[i]) > error_;
-    }
-    const double error_of_first = 1.01 * (n * error_ + n * u * (1 + n * largest_lambda_));
-    if (first < -error_of_first) beyond |= 1;
-    return is_certain && std::fabs(first) > error_of_first;
-  }
-  /// Step 3: the squared radius, and a bound on its error.
-  std::pair<double, double> approximate_square() {
-    const auto n = static_cast<double>(n_), d = static_cast<double>(d_);
-    const double length = 1.01 * std::sqrt(square_);
-    rounding_of_x_ = 1.1 * n * (n + 1) * u * largest_lambda_ * length;
-    error_of_x_ = 1.01 * n * error_ * length + rounding_of_x_;
-    double sum = 0;
-    for (std::size_t j = 0; j < d_; ++j) {
-      const double x = center(j);
-      sum += x * x;
-    }
-    length_of_x_ = 1.01 * std::sqrt(sum);
-    const double result = sum - first_weight_;
-    return {result, 1.01 * (d * u * sum + error_of_x_ * (2 * length_of_x_ + error_of_x_) +
-                            3 * u * std::fabs(result)) +
-                        1e-290};
-  }
-  /// Step 4, after step 3. False if the rounding is not settled.
-  bool find_square_above(double& rounded) const {
-    const auto n = static_cast<double>(n_), d = static_cast<double>(d_);
-    kernel::Buffer<double, D> x(d_);
-    DoubleDouble result{0, 0};
-    double magnitude = std::fabs(first_weight_);
-    for (std::size_t j = 0; j < d_; ++j) {
-      x[j] = center(j);
-      const DoubleDouble square = two_product(x[j], x[j]);
-      result = result + square;
-      magnitude += square.high;
-    }
-    const double length = 1.01 * std::sqrt(square_), second_order = 5.1 * (d + 3) * (d + 3) * u * u;
-    double correction = 0, error = 0, largest_residual = 0;
-    for (std::size_t i = 0; i < n_; ++i) {
-      double sum = -weight_[i].high, rest = -weight_[i].low;
-      for (std::size_t j = 0; j < d_; ++j) {
-        const double a = edges_.high[i * d_ + j], a_low = edges_.low[i * d_ + j];
-        const DoubleDouble factor = two_sum(a, -2 * x[j]);
-        const double factor_low = factor.low + a_low;
-        const DoubleDouble product = two_product(a, factor.high), next = two_sum(sum, product.high);
-        sum = next.high;
-        rest += (next.low + product.low) + (a * factor_low + a_low * factor.high);
-      }
-      const double residual = sum + rest;
-      const double m = 1.01 * (square_ + 2 * length * length_of_x_ + std::fabs(weight_[i].high));
-      correction += lambda_[i] * residual;
-      const double error_of_residual = u * std::fabs(residual) + second_order * m + 1e-290;
-      largest_residual = std::max(largest_residual, std::fabs(residual) + error_of_residual);
-      // The last term: rounding of the correction, by n products and sums.
-      error += std::fabs(lambda_[i]) * (error_of_residual + (n + 1) * u * std::fabs(residual));
-    }
-    const double error_of_x =
-        std::min(error_of_x_, 1.01 * std::sqrt(0.5 * n * edges_.norm) * largest_residual + rounding_of_x_);
-    magnitude += std::fabs(correction);
-    result = (result + DoubleDouble{correction, 0}) - DoubleDouble{first_weight_, 0};
-    error += error_of_x * (error_of_x + 2 * rounding_of_x_) + 8 * (d + 3) * u * u * magnitude;
-    return round_up(result, 1.01 * error + 1e-290, rounded);
-  }
-
- private:
-  double center(std::size_t j) const {
-    double x = 0;
-    for (std::size_t i = 0; i < n_; ++i) x += lambda_[i] * edges_.high[i * d_ + j];
-    return x;
-  }
-
-  CertifiedGram<N, D> edges_;
-  const std::size_t n_, d_;
-  kernel::Buffer<double, N> right_;
-  kernel::Buffer<DoubleDouble, N> weight_;  // w_i − w_0
-  kernel::Buffer<double, N> lambda_;
-  double first_weight_ = 0, heaviest_ = 0;
-  double square_ = 0, largest_lambda_ = 0, error_ = 0;           // g, ‖λ̃‖, E
-  double rounding_of_x_ = 0, error_of_x_ = 0, length_of_x_ = 0;  // η̂, ε̂, and a bound on |x̃|
-};
+  if (rest < 0) answer.beyond |= 1;
+  const double numerator = product - 4 * determinant * solver.first_weight, denominator = 4 * determinant;
+  answer.square = numerator / denominator;
+  const kernel::DoubleDouble back = kernel::two_product(answer.square, denominator);
+  if (back.high < numerator || (back.high == numerator && back.low < 0))
+    answer.square = std::nextafter(answer.square, infinity) + 0.0;
+  return answer;
+}
 
 /// m of the proof.
 int bits_of_small_lattices(std::size_t n, std::size_t d) {
@@ -287,6 +124,13 @@ Orthospheres::Orthospheres(int dimension, bool weighted, int unit, std::size_t c
   if (bits == 0 || unit < -largest_lattice_exponent || unit > largest_lattice_exponent) return;
   small_ = std::ldexp(1.0, unit + bits);
   small_square_ = std::ldexp(1.0, 2 * (unit + bits));
+}
+
+/// Whether nothing was rounded in the members of a solver, nor will be in find_small().
+template <class Solver>
+bool Orthospheres::is_small(const Solver& solver) const {
+  return solver.largest <= small_ && solver.heaviest <= small_square_ &&
+         std::fabs(solver.first_weight) <= small_square_;
 }
 
 /// Writes a block to its lanes, the last simplex also to those that are left. False if each simplex is better
@@ -362,24 +206,26 @@ void Orthospheres::is_within_block(std::size_t count, const double* const* point
 
 template <int N, int D>
 Orthospheres::Answer Orthospheres::find_by_stages(const double* const* points, Want want) {
-  Solver<N, D> solver(points, corners_, dimension_, weighted_);
+  Solver<N, D> solver = solver_of<N, D>(points, corners_, dimension_, weighted_);
   if constexpr (N > 0) {
-    if (solver.is_small(small_, small_square_)) return solver.find_small();
+    if (is_small(solver)) return find_small(solver);
   }
   Answer answer;
   bool is_certain = solver.solve();
   if (is_certain && want != Want::square) is_certain = solver.find_beyond(answer.beyond);
   if (is_certain && want != Want::beyond) {
     solver.approximate_square();
-    is_certain = solver.find_square_above(answer.square);
+    const auto rounded = solver.square_above();
+    answer.square = rounded.value;
+    is_certain = rounded.is_settled;
   }
   if (is_certain) return answer;
   if (want == Want::square && !weighted_)
     if (const auto square = square_in_pairs(points, corners_, dimension_)) {
-      if (round_up(square->value, square->error, answer.square)) return answer;
-      // Within 2⁻⁸⁰ of a double.
-      answer.square = square->value.high + square->value.low;
-      if (is_nearest_enough_) return answer;
+      const auto rounded = round_up<double>({square->value.high, square->value.low}, square->error);
+      // Otherwise within 2⁻⁸⁰ of a double.
+      answer.square = rounded.is_settled ? rounded.value : square->value.high + square->value.low;
+      if (rounded.is_settled || is_nearest_enough_) return answer;
     }
   ++num_exact_;
   const ExactOrthosphere exact(points, corners_, dimension_, weighted_);
@@ -391,19 +237,21 @@ Orthospheres::Answer Orthospheres::find_by_stages(const double* const* points, W
 template <int N, int D>
 bool Orthospheres::is_within_by_stages(const double* const* points, const SquareBound& bound) {
   if (!std::isfinite(bound.below()) && bound.below() == bound.above()) return bound.above() > 0;
-  Solver<N, D> solver(points, corners_, dimension_, weighted_);
+  Solver<N, D> solver = solver_of<N, D>(points, corners_, dimension_, weighted_);
   double rounded = 0;
   bool is_known = false;
   if constexpr (N > 0) {
-    is_known = solver.is_small(small_, small_square_);
-    if (is_known) rounded = solver.find_small().square;
+    is_known = is_small(solver);
+    if (is_known) rounded = find_small(solver).square;
   }
   if (!is_known && solver.solve()) {
     const auto [square, error] = solver.approximate_square();
     // Both ends are rounded, by less than the bound is generous.
     if (square + error <= bound.below()) return true;
     if (square - error > bound.above()) return false;
-    is_known = solver.find_square_above(rounded);
+    const auto above = solver.square_above();
+    rounded = above.value;
+    is_known = above.is_settled;
   }
   if (is_known)
     if (const auto answer = bound.admits(rounded); answer != SquareBound::Answer::unsure)

@@ -14,7 +14,7 @@
 
 namespace delone::internal {
 
-/// Small lattices are those of units from 2^−this to 2^this; see orthosphere.cpp.
+/// Small lattices are those of units from 2^−this to 2^this; see docs/predicates.md.
 inline constexpr int largest_lattice_exponent = 100;
 
 /// The exponent of a unit that all coordinates are multiples of; with weights, each after `width` ones, also
@@ -63,6 +63,8 @@ class Orthospheres {
   Answer find_by_stages(const double* const* points, Want want);
   template <int N, int D>
   bool is_within_by_stages(const double* const* points, const SquareBound& bound);
+  template <class Solver>
+  bool is_small(const Solver& solver) const;
   bool fills_lanes(std::size_t count, const double* const* points);
   Answer find_of_vertex(const double* const* points, Want want);
   bool is_within_of_vertex(const double* const* points, const SquareBound& bound);

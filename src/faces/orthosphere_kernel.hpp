@@ -25,7 +25,7 @@ struct OrthosphereBlock {
   alignas(64) double range_is_certain[orthosphere_block];
 };
 
-/// The certified stage of Orthospheres (orthosphere.cpp) for orthosphere_block simplices with n+1 vertices in
+/// The certified stage of Orthospheres for orthosphere_block simplices with n+1 vertices in
 /// R^d, 1 ≤ n ≤ most_orthosphere_edges, n ≤ d ≤ most_orthosphere_dimension. `vertices`: coordinate j of
 /// vertex i of all simplices starts at (i·(d+1) + j)·orthosphere_block, its weight at j = d if `weighted`.
 /// All must be finite. Finds the range and `beyond`, and `square` if it is wanted.
