@@ -101,7 +101,8 @@ std::vector<std::pair<Index, Index>> coplanar_neighbors(const BoundaryEngine& bo
     const auto& geometry = sphere.geometry();
     std::vector<std::pair<Index, Index>> pairs;
     const auto is_certainly_inside = [&](Index cell, Index vertex) {
-      return certain_side_of(geometry, cell, geometry.query_at(vertex), 1) == Sign::positive;
+      const auto h = geometry.evaluator_at(vertex);
+      return h.value(cell) > h.threshold(cell);
     };
     constexpr std::size_t ahead = 4;  // cells whose neighbors are on the way from memory
     for (Index c = 0; c < hull.num_cells(); ++c) {

@@ -132,6 +132,8 @@ class CentralGeometry {
   }
 
   auto evaluator(const Query& q) const { return functionals_.evaluator(q.row.data()); }
+  /// The same at a vertex of cells.
+  auto evaluator_at(Index v) const { return functionals_.evaluator(images_.data() + v * size()); }
   /// The negative of g·X as a function n·(x − o) of points: writes n, returns the threshold.
   double hyperplane(Index cell, double* normal) const {
     const double* const g = functionals_.coefficients(cell);
