@@ -35,21 +35,17 @@ struct Answers {
 
 void locate(const MadeTriangulation& in, std::span<const double> queries, const delone_options* options,
             const Answers& to) {
-  LocateOptions how = locate_options(options);
-  how.coordinates = to.barycentric != nullptr;
-  const std::size_t width = static_cast<std::size_t>(in.triangulation().affine_dimension() + 1);
-  const std::span<const SignedIndex> number_of_slot = in.number_of_slot();
-  in.locator().locate(queries, how, [&](std::size_t i, const LocatedPoint& where) {
-    const bool is_inside = !where.barycentric.empty();
-    if (to.cells != nullptr) to.cells[i] = is_inside ? number_of_slot[index(where.cell)] : -1;
-    if (to.kinds != nullptr) to.kinds[i] = static_cast<std::uint8_t>(where.kind);
-    if (to.distances != nullptr) to.distances[i] = where.distance;
-    if (to.barycentric == nullptr) return;
-    if (is_inside)
-      std::ranges::copy(where.barycentric, to.barycentric + i * width);
-    else
-      std::fill_n(to.barycentric + i * width, width, std::numeric_limits<double>::quiet_NaN());
-  });
+  const std::size_t count = queries.size() / static_cast<std::size_t>(in.dimension()),
+                    width = static_cast<std::size_t>(in.triangulation().affine_dimension() + 1);
+  std::vector<Location::Kind> kinds(to.kinds == nullptr ? 0 : count);
+  std::vector<SignedIndex> cells(to.cells == nullptr ? 0 : count);
+  LocatedArrays arrays{.kinds = kinds, .cells = cells};
+  if (to.barycentric != nullptr) arrays.barycentric = {to.barycentric, count * width};
+  if (to.distances != nullptr) arrays.distances = {to.distances, count};
+  in.locator().locate(queries, locate_options(options), in.numbers(), arrays);
+  std::ranges::copy(cells, to.cells);
+  std::ranges::transform(kinds, to.kinds,
+                         [](Location::Kind kind) { return static_cast<std::uint8_t>(kind); });
 }
 
 std::uint8_t kind_of(const Containment& where) {
@@ -175,11 +171,11 @@ int delone_cells_within(const delone_object* triangulation, const double* querie
     const MadeTriangulation& of = as_made(triangulation);
     const PointsView points = view_of(queries, num_queries, of.triangulation().dimension(), "queries");
     std::vector<std::vector<std::int64_t>> found(num_queries);
-    const std::span<const SignedIndex> number_of_slot = of.number_of_slot();
+    const CellNumbers& numbers = of.numbers();
     of.locator().cells_within(
         points.coordinates(), radius,
         [&](std::size_t i, CellId cell) {
-          found[i].push_back(number_of_slot[index(cell)]);
+          found[i].push_back(numbers.row(cell));
           return true;
         },
         given(options).threads);

@@ -98,11 +98,7 @@ const MadeTriangulation::Ready& MadeTriangulation::ready() const {
   return ready_.get([&] {
     std::visit([](auto& one) { one.sort_cells(); }, product_->any);
     const Triangulation& triangulation = product_->common();
-    Ready made{triangulation.to_data(), {}};
-    made.number_of_slot.assign(triangulation.complex().num_cell_slots(), -1);
-    SignedIndex count = 0;
-    for (const CellId c : triangulation.finite_cells()) made.number_of_slot[index(c)] = count++;
-    return made;
+    return Ready{triangulation.to_data(), CellNumbers(triangulation.complex())};
   });
 }
 

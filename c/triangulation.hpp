@@ -4,6 +4,7 @@
 
 #include "object.hpp"
 
+#include <delone/cell_numbers.hpp>
 #include <delone/data.hpp>
 #include <delone/delaunay.hpp>
 #include <delone/furthest_site.hpp>
@@ -87,8 +88,8 @@ class MadeTriangulation final : public TriangulationObject {
   const std::shared_ptr<Product>& product() const { return ready(), product_; }
   const Triangulation& triangulation() const { return product()->common(); }
   const PointLocator& locator() const;
-  /// The row in data().cells of each cell by its slot; −1 for an infinite one.
-  std::span<const SignedIndex> number_of_slot() const { return ready().number_of_slot; }
+  /// The rows of the cells in data().cells.
+  const CellNumbers& numbers() const { return ready().numbers; }
   SignedIndex row_of(VertexId v) const {
     return v == invalid_vertex ? -1 : static_cast<SignedIndex>(product_->common().row_of(v));
   }
@@ -96,7 +97,7 @@ class MadeTriangulation final : public TriangulationObject {
  private:
   struct Ready {
     ComplexData data;
-    std::vector<SignedIndex> number_of_slot;
+    CellNumbers numbers;
   };
   const Ready& ready() const;
   void forget();

@@ -24,12 +24,6 @@ struct LocateOptions {
   unsigned threads = 0;
 };
 
-struct Answer {
-  Location::Kind kind = Location::Kind::outside_affine_hull;
-  std::int64_t cell = -1;         ///< row of the cell in the files of `delaunay`; −1 outside
-  std::vector<std::size_t> face;  ///< point rows
-};
-
 const char* name_of(Location::Kind kind) {
   switch (kind) {
     case Location::Kind::in_cell:
@@ -46,50 +40,40 @@ const char* name_of(Location::Kind kind) {
   return "outside_affine_hull";
 }
 
-std::vector<Answer> locate_all(const PointTable& points, const PointTable& queries,
-                               const LocateOptions& options) {
+LocatedPoints locate_all(const PointTable& points, const PointTable& queries, const LocateOptions& options) {
   ProgressBar bar(options.quiet);
   const StageGuard guard(Stage::building);
   Options build_options;
   build_options.progress = bar.callback();
   const Delaunay<> t = about(input_name(options.input.path),
                              [&] { return Delaunay<>(points.coordinates, points.dimension, build_options); });
-  const Complex complex = t.complex();
-  std::vector<std::int64_t> row_of_cell(complex.num_cell_slots(), -1);
-  std::int64_t count = 0;
-  for (const CellId cell : complex.finite_cells()) row_of_cell[index(cell)] = count++;
-
-  std::vector<Answer> answers(PointsView(queries.coordinates, queries.dimension).size());
-  const auto take = [&](std::size_t query, const LocatedPoint& where) {
-    if (caught_signal() != 0) throw Error(Errc::cancelled, "interrupted");
-    Answer& answer = answers[query];
-    answer.kind = where.kind;
-    answer.cell = where.cell == invalid_cell ? -1 : row_of_cell[index(where.cell)];
-    for (std::size_t i = 0; i < where.barycentric.size(); ++i)
-      if (where.barycentric[i] > 0)
-        answer.face.push_back(t.row_of(complex.vertex(where.cell, static_cast<int>(i))));
-    std::sort(answer.face.begin(), answer.face.end());
-  };
-  PointLocator(t).locate(queries.coordinates, {.coordinates = false, .threads = options.threads}, take);
-  return answers;
+  const ProgressScope scope([](double) { return caught_signal() == 0; });
+  return PointLocator(t).locate(queries.coordinates, {.threads = options.threads}, CellNumbers(t.complex()));
 }
 
-std::string as_csv(const std::vector<Answer>& answers) {
+/// The rows of a face.
+std::span<const SignedIndex> face(const LocatedPoints& answers, std::size_t query) {
+  const auto begin = static_cast<std::size_t>(answers.face_offsets[query]),
+             end = static_cast<std::size_t>(answers.face_offsets[query + 1]);
+  return std::span(answers.face_rows).subspan(begin, end - begin);
+}
+
+std::string as_csv(const LocatedPoints& answers) {
   fmt::memory_buffer text;
   fmt::format_to(std::back_inserter(text), "query,kind,cell,face\n");
-  for (std::size_t i = 0; i < answers.size(); ++i)
-    fmt::format_to(std::back_inserter(text), "{},{},{},{}\n", i, name_of(answers[i].kind), answers[i].cell,
-                   fmt::join(answers[i].face, " "));
+  for (std::size_t i = 0; i < answers.cells.size(); ++i)
+    fmt::format_to(std::back_inserter(text), "{},{},{},{}\n", i, name_of(answers.kinds[i]), answers.cells[i],
+                   fmt::join(face(answers, i), " "));
   return fmt::to_string(text);
 }
 
-std::string as_json(const std::vector<Answer>& answers) {
+std::string as_json(const LocatedPoints& answers) {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (std::size_t i = 0; i < answers.size(); ++i)
+  for (std::size_t i = 0; i < answers.cells.size(); ++i)
     rows.push_back({{"query", i},
-                    {"kind", name_of(answers[i].kind)},
-                    {"cell", answers[i].cell},
-                    {"face", answers[i].face}});
+                    {"kind", name_of(answers.kinds[i])},
+                    {"cell", answers.cells[i]},
+                    {"face", face(answers, i)}});
   return rows.dump(1) + "\n";
 }
 
@@ -105,7 +89,7 @@ int run_locate(const LocateOptions& options) {
   from.options.max_stream_bytes = options.input.options.max_stream_bytes;
   const PointTable points = options.input.read(options.threads), queries = from.read(options.threads);
   require_fitting(queries, points, options.queries);
-  const std::vector<Answer> answers = locate_all(points, queries, options);
+  const LocatedPoints answers = locate_all(points, queries, options);
   save_text(options.output, format == "json" ? as_json(answers) : as_csv(answers));
   return exit_status::ok;
 }

@@ -3,11 +3,13 @@
 // which vertex.
 #pragma once
 
+#include <delone/cell_numbers.hpp>
 #include <delone/export.hpp>
 #include <delone/triangulation.hpp>
 #include <delone/types.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
@@ -67,6 +69,26 @@ struct LocatedPoint {
   double distance = 0;
 };
 
+/// Arrays for the answers to q queries, in the order of the queries. Each has the size that is written beside
+/// it, or is empty: then it is not wanted.
+struct LocatedArrays {
+  std::span<Location::Kind> kinds = {};  ///< q: LocatedPoint::kind
+  /// q: the row of the cell by the numbers that are given; −1 outside.
+  std::span<SignedIndex> cells = {};
+  std::span<double> barycentric = {};  ///< q×(k+1): LocatedPoint::barycentric; NaN outside
+  std::span<double> distances = {};    ///< q: LocatedPoint::distance
+};
+
+/// The places of q queries, in their order.
+struct DELONE_EXPORT_TYPE LocatedPoints {
+  std::vector<Location::Kind> kinds;  ///< q
+  std::vector<SignedIndex> cells;     ///< q, rows of cells; −1 outside
+  /// The input rows that span the smallest face that contains query i, increasing: entries face_offsets[i] …
+  /// face_offsets[i+1]−1 of face_rows. None outside.
+  std::vector<std::int64_t> face_offsets{0};
+  std::vector<SignedIndex> face_rows;
+};
+
 /// Answers queries about a triangulation, to which it refers: valid until the next insertion or edit. `const`
 /// members may be called from several threads at once. A batch is visited along a Hilbert curve in stretches,
 /// in which each walk starts where the one before ended; answers come with the number of their query. The
@@ -94,6 +116,14 @@ class DELONE_EXPORT PointLocator {
   /// infinite or larger than the set of points. Keeps a table of thick cells for the last tolerance: a byte
   /// per cell.
   void locate(std::span<const double> queries, const LocateOptions& options, const Visit& visit) const;
+
+  /// The same as arrays; `numbers` are those of the cells. If no barycentric coordinates are wanted, none are
+  /// computed. Also throws Errc::invalid_argument for arrays of other sizes.
+  void locate(std::span<const double> queries, const LocateOptions& options, const CellNumbers& numbers,
+              const LocatedArrays& to) const;
+  /// The same, with faces instead of coordinates.
+  LocatedPoints locate(std::span<const double> queries, const LocateOptions& options,
+                       const CellNumbers& numbers) const;
 
   /// For each of q queries, calls `visit` for the finite cells within `radius` of it, roughly the nearest
   /// first, until it returns false. All cells within the radius are visited, and maybe some that are farther

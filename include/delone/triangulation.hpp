@@ -27,7 +27,7 @@ enum class TriangulationKind : std::uint8_t { delaunay, regular, furthest_site }
 
 /// Where a query point lies, exactly.
 struct Location {
-  enum class Kind {
+  enum class Kind : std::uint8_t {
     in_cell,              ///< in the interior of a finite cell
     on_face,              ///< in the relative interior of a face of dimension 1 … k−1
     on_vertex,            ///< equal to a vertex

@@ -112,58 +112,44 @@ py::tuple vertex_neighbors(const Held& held) {
   return py::make_tuple(list_view(std::move(offsets)), list_view(std::move(rows)));
 }
 
-/// Locates queries. Calls visit(query, where, row of the cell or −1), from several threads at once.
-template <class Visit>
-void locate_each(const Held& held, const Queries& queries, LocateOptions options, Visit visit) {
-  options.threads = held.threads();
+/// Locates queries into arrays.
+void locate_into(const Held& held, const Queries& queries, double tolerance, const LocatedArrays& to) {
+  const LocateOptions options{.tolerance = tolerance, .threads = held.threads()};
   Supervisor supervisor;
   supervisor.run([&, x = queries.coordinates()] {
-    held.with_locator([&](const Triangulation& engine, const PointLocator& locator, const Cells& cells) {
-      locator.locate(x, options, [&](std::size_t query, const LocatedPoint& where) {
-        visit(query, where,
-              where.barycentric.empty() ? SignedIndex{-1} : cells.number_of_slot[index(where.cell)], engine);
-      });
+    held.with_locator([&](const Triangulation&, const PointLocator& locator, const Cells& cells) {
+      locator.locate(x, options, cells.numbers, to);
     });
   });
+}
+std::span<SignedIndex> span_of(py::array_t<SignedIndex>& array) {
+  return {array.mutable_data(), static_cast<std::size_t>(array.size())};
 }
 
 py::object find_simplices(const Held& held, const py::object& object, double tolerance) {
   const Queries queries(object, held);
   auto cells = queries.answers<SignedIndex>();
-  locate_each(held, queries, {.tolerance = tolerance, .coordinates = false},
-              [out = cells.mutable_data()](std::size_t query, const LocatedPoint&, SignedIndex cell,
-                                           const Triangulation&) { out[query] = cell; });
+  locate_into(held, queries, tolerance, {.cells = span_of(cells)});
   return Queries::scalar_if_single(cells);
 }
 
 py::object locate(const Held& held, const py::object& object, double tolerance) {
   const Queries queries(object, held);
-  const std::size_t count = queries.size();
-  std::vector<std::uint8_t> kinds(count);
-  std::vector<SignedIndex> cells(count);
-  std::vector<std::vector<SignedIndex>> faces(count);
-  locate_each(
-      held, queries, {.tolerance = tolerance, .coordinates = false},
-      [&](std::size_t query, const LocatedPoint& where, SignedIndex cell, const Triangulation& engine) {
-        kinds[query] = static_cast<std::uint8_t>(where.kind);
-        cells[query] = cell;
-        const Complex complex = engine.complex();
-        for (std::size_t i = 0; i < where.barycentric.size(); ++i)
-          if (where.barycentric[i] > 0)
-            faces[query].push_back(
-                static_cast<SignedIndex>(engine.row_of(complex.vertex(where.cell, static_cast<int>(i)))));
-        std::sort(faces[query].begin(), faces[query].end());
-      });
-  std::vector<std::int64_t> offsets{0};
-  std::vector<SignedIndex> rows;
-  for (const auto& face : faces) {
-    rows.insert(rows.end(), face.begin(), face.end());
-    offsets.push_back(static_cast<std::int64_t>(rows.size()));
-  }
+  const LocateOptions options{.tolerance = tolerance, .threads = held.threads()};
+  LocatedPoints found;
+  Supervisor supervisor;
+  supervisor.run([&, x = queries.coordinates()] {
+    held.with_locator([&](const Triangulation&, const PointLocator& locator, const Cells& cells) {
+      found = locator.locate(x, options, cells.numbers);
+    });
+  });
+  std::vector<std::uint8_t> kinds(found.kinds.size());
+  std::transform(found.kinds.begin(), found.kinds.end(), kinds.begin(),
+                 [](Location::Kind kind) { return static_cast<std::uint8_t>(kind); });
   return py::module_::import("delone._locations")
       .attr("Locations")(
-          list_view(std::move(kinds)), list_view(std::move(cells)), list_view(std::move(offsets)),
-          list_view(std::move(rows)),
+          list_view(std::move(kinds)), list_view(std::move(found.cells)),
+          list_view(std::move(found.face_offsets)), list_view(std::move(found.face_rows)),
           py::make_tuple("in_cell", "on_face", "on_vertex", "outside_hull", "outside_affine_hull"));
 }
 
@@ -173,16 +159,10 @@ py::tuple barycentric(const Held& held, const py::object& object, double toleran
       static_cast<std::size_t>(ask(held, [](const Triangulation& t) { return t.affine_dimension(); }) + 1);
   auto cells = queries.answers<SignedIndex>();
   auto weights_array = queries.answers<double>({size});
-  locate_each(held, queries, {.tolerance = tolerance},
-              [size, numbers = cells.mutable_data(), all = weights_array.mutable_data()](
-                  std::size_t query, const LocatedPoint& where, SignedIndex cell, const Triangulation&) {
-                numbers[query] = cell;
-                double* const out = all + query * size;
-                if (where.barycentric.size() == size)
-                  std::copy(where.barycentric.begin(), where.barycentric.end(), out);
-                else
-                  std::fill_n(out, size, nan);
-              });
+  locate_into(
+      held, queries, tolerance,
+      {.cells = span_of(cells),
+       .barycentric = {weights_array.mutable_data(), static_cast<std::size_t>(weights_array.size())}});
   return py::make_tuple(Queries::scalar_if_single(cells), weights_array);
 }
 
@@ -227,7 +207,7 @@ py::array find_accepting(const Held& held, const py::object& object, const Reals
         return true;
       };
       const auto number_of = [&](CellId cell) {
-        const SignedIndex number = cells.number_of_slot[index(cell)];
+        const SignedIndex number = cells.numbers.row(cell);
         return static_cast<std::size_t>(number) < count ? number : SignedIndex{-1};
       };
       std::array<SignedIndex, 32> tried;

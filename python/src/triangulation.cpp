@@ -195,10 +195,7 @@ std::shared_ptr<const Cells> HeldTriangulation::cells_of(const Triangulation& en
   if (cells_) return cells_;
   auto cells = std::make_shared<Cells>();
   cells->data = engine.to_data(false);
-  const Complex complex = engine.complex();
-  cells->number_of_slot.assign(complex.num_cell_slots(), -1);
-  SignedIndex count = 0;
-  for (const CellId c : complex.finite_cells()) cells->number_of_slot[index(c)] = count++;
+  cells->numbers = CellNumbers(engine.complex());
   cells_ = std::move(cells);
   return cells_;
 }

@@ -10,6 +10,7 @@
 #include "arrays.hpp"
 #include "running.hpp"
 
+#include <delone/cell_numbers.hpp>
 #include <delone/delaunay.hpp>
 #include <delone/furthest_site.hpp>
 #include <delone/point_locator.hpp>
@@ -33,8 +34,8 @@ using Engine = std::variant<Delaunay<>, Regular<>, FurthestSite<>>;
 
 /// A plain copy of the combinatorics, which arrays are views of. Later insertions and edits do not change it.
 struct Cells {
-  ComplexData data;                         // without points
-  std::vector<SignedIndex> number_of_slot;  // the row in data.cells of each CellId, −1 for infinite cells
+  ComplexData data;  // without points
+  CellNumbers numbers;
 };
 
 class HeldTriangulation {

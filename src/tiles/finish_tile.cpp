@@ -6,6 +6,8 @@
 #include "tiles/tile_triangulation.hpp"
 #include "triangulation/stored_points.hpp"
 
+#include <delone/cell_numbers.hpp>
+
 #include <algorithm>
 #include <atomic>
 #include <limits>
@@ -31,7 +33,7 @@ class PartMaker {
         threads_(threads),
         d_(static_cast<std::size_t>(points_.ambient)),
         corners_(static_cast<std::size_t>(complex_.affine_dimension() + 1)),
-        number_of_slot_(complex_.num_cell_slots(), -1),
+        is_chosen_(complex_.num_cell_slots(), 0),
         is_used_(points_.last_vertex() + std::size_t{1}, 0) {}
 
   FinishedTile make() {
@@ -101,7 +103,7 @@ class PartMaker {
   void choose_cells(FinishedTile& result) {
     std::mutex mutex;
     internal::for_parts(
-        threads_, number_of_slot_.size(), slots_per_part,
+        threads_, is_chosen_.size(), slots_per_part,
         [&](std::size_t first, std::size_t last, const internal::StopPoint& stop) {
           stop();
           internal::HashAccumulator hash, weighted_hash;
@@ -109,7 +111,7 @@ class PartMaker {
             const CellId cell{static_cast<Index>(slot)};
             if (!complex_.is_cell(cell) || complex_.is_infinite(cell) || !has_own_vertex(cell)) continue;
             if (is_own_[index(smallest_vertex(cell))] == 0) continue;
-            number_of_slot_[slot] = 0;
+            is_chosen_[slot] = 1;
             internal::PointTag sum, weighted_sum;
             for (const VertexId v : complex_.vertices(cell)) {
               sum += tags_[index(v)];
@@ -127,14 +129,10 @@ class PartMaker {
     weighted_tags_ = {};
   }
   void number_cells() {
-    std::int32_t next = 0;
-    for (std::size_t slot = 0; slot < number_of_slot_.size(); ++slot)
-      if (number_of_slot_[slot] == 0) {
-        if (next == std::numeric_limits<std::int32_t>::max())
-          throw Error(Errc::too_many, "a tile has more cells than 32-bit numbers; use more tiles");
-        number_of_slot_[slot] = next++;
-        slots_.push_back(static_cast<Index>(slot));
-      }
+    numbers_ = CellNumbers(is_chosen_);
+    is_chosen_ = {};
+    if (numbers_.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
+      throw Error(Errc::too_many, "a tile has more cells than 32-bit numbers; use more tiles");
   }
   void number_points(TileData& data) {
     number_of_vertex_.resize(is_used_.size(), -1);
@@ -148,14 +146,16 @@ class PartMaker {
     }
   }
   void write_cells(TileData& data) const {
-    data.cells.resize(slots_.size() * corners_);
+    data.cells.resize(numbers_.size() * corners_);
     data.neighbors.resize(data.cells.size());
-    internal::for_parts(threads_, slots_.size(), slots_per_part,
+    internal::for_parts(threads_, complex_.num_cell_slots(), slots_per_part,
                         [&](std::size_t first, std::size_t last, const internal::StopPoint& stop) {
                           stop();
-                          for (std::size_t number = first; number < last; ++number) {
-                            const CellId cell{slots_[number]};
-                            std::size_t at = number * corners_;
+                          for (std::size_t slot = first; slot < last; ++slot) {
+                            const CellId cell{static_cast<Index>(slot)};
+                            const SignedIndex number = numbers_.row(cell);
+                            if (number < 0) continue;
+                            std::size_t at = static_cast<std::size_t>(number) * corners_;
                             const NeighborsOfCell neighbors = complex_.neighbors(cell);
                             std::size_t i = 0;
                             for (const VertexId v : complex_.vertices(cell)) {
@@ -167,7 +167,8 @@ class PartMaker {
   }
   /// −1: infinite; `unknown`: of another part, or not a cell of the whole.
   std::int32_t neighbor_number(CellId neighbor) const {
-    if (const std::int32_t number = number_of_slot_[index(neighbor)]; number >= 0) return number;
+    if (const SignedIndex number = numbers_.row(neighbor); number >= 0)
+      return static_cast<std::int32_t>(number);
     return complex_.is_infinite(neighbor) && (has_own_vertex(neighbor) || corners_ == 1) ? -1 : unknown;
   }
   void find_seams(FinishedTile& result) const {
@@ -187,9 +188,9 @@ class PartMaker {
   const std::vector<std::int64_t>& row_of_;
   const unsigned threads_;
   const std::size_t d_, corners_;
-  std::vector<std::int32_t> number_of_slot_;  // −1: not of the part
-  std::vector<Index> slots_;                  // of the cells of the part
-  std::vector<std::uint8_t> is_used_;         // by vertex id, as the next three
+  std::vector<std::uint8_t> is_chosen_;  // by slot: whether it is a cell of the part
+  CellNumbers numbers_;                  // of these cells
+  std::vector<std::uint8_t> is_used_;    // by vertex id, as the next three
   std::vector<std::int32_t> number_of_vertex_;
   std::vector<internal::PointTag> tags_, weighted_tags_;
 };

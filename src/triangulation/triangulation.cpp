@@ -9,6 +9,8 @@
 #include "complex/canonical_hash.hpp"
 #include "triangulation/triangulation_impl.hpp"
 
+#include <delone/cell_numbers.hpp>
+
 #include <algorithm>
 #include <limits>
 #include <string>
@@ -198,18 +200,15 @@ ComplexData Triangulation::to_data(bool with_points) const {
       data.points.push_back(point == nullptr ? unknown : point[j]);
     if (impl_->weighted()) data.weights.push_back(point == nullptr ? unknown : point[impl_->ambient()]);
   }
-  std::vector<SignedIndex> number(now.num_cell_slots(), -1);
-  SignedIndex count = 0;
-  for (const CellId c : now.finite_cells()) number[index(c)] = count++;
-  const std::size_t entries =
-      static_cast<std::size_t>(count) * static_cast<std::size_t>(now.affine_dimension() + 1);
+  const CellNumbers numbers(now);
+  const std::size_t entries = numbers.size() * static_cast<std::size_t>(now.affine_dimension() + 1);
   data.cells.reserve(entries);
   data.neighbors.reserve(entries);
   for (const CellId c : now.finite_cells()) {
     round();
     for (int i = 0; i <= now.affine_dimension(); ++i) {
       data.cells.push_back(row_of_vertex(index(now.vertex(c, i))));
-      data.neighbors.push_back(number[index(now.neighbor(c, i))]);
+      data.neighbors.push_back(numbers.row(now.neighbor(c, i)));
     }
   }
   return data;
