@@ -31,6 +31,7 @@ Members DiagramObject::members_of_data() {
   return {
       member<Object>("dimension", [](const Object& o) { return o.data().dimension; }),
       member<Object>("affine_dimension", [](const Object& o) { return o.data().affine_dimension; }),
+      member<Object>("kind", [](const Object& o) { return name_of(o.data().kind).data(); }),
       member<Object>("num_points", [](const Object& o) { return o.data().num_points(); }),
       member<Object>("num_vertices", [](const Object& o) { return o.data().num_vertices(); }),
       member<Object>("num_regions", [](const Object& o) { return o.data().num_regions(); }),
@@ -108,7 +109,7 @@ int delone_voronoi(const delone_object* triangulation, const delone_options* opt
       return std::make_unique<MadeDiagram>(Voronoi<>(*delaunay, how), how.threads);
     if (const auto* const regular = std::get_if<Regular<>>(&any))
       return std::make_unique<MadeDiagram>(PowerDiagram<>(*regular, how), how.threads);
-    throw Error(Errc::invalid_argument, "there is no diagram of a furthest-site triangulation");
+    return std::make_unique<MadeDiagram>(FurthestVoronoi<>(std::get<FurthestSite<>>(any), how), how.threads);
   });
 }
 

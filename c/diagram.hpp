@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Voronoi and power diagrams as objects: made ones, and those that are arrays only.
+// Diagrams as objects: made ones, and those that are arrays only.
 #pragma once
 
 #include "object.hpp"
@@ -42,10 +42,10 @@ class GivenDiagram final : public DiagramObject {
 
 class MadeDiagram final : public DiagramObject {
  public:
-  using Any = std::variant<Voronoi<>, PowerDiagram<>>;
+  using Any = std::variant<Voronoi<>, PowerDiagram<>, FurthestVoronoi<>>;
 
   MadeDiagram(Any any, unsigned threads) : any_(std::move(any)), threads_(threads) {}
-  const char* kind() const override { return any_.index() == 0 ? "voronoi" : "power_diagram"; }
+  const char* kind() const override { return name_of(diagram().kind()).data(); }
   const Members& members() const override;
   std::unique_ptr<delone_object> clone() const override;
   void write(const std::string& path, const std::string& format) const override;

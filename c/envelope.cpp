@@ -42,7 +42,7 @@ std::unique_ptr<delone_object> EnvelopeObject::clone() const {
 }
 
 CheckReport EnvelopeObject::check(const CheckOptions& options) const {
-  return delone::check(hull_.polytope().to_data(), of_any_data(options));
+  return delone::check(hull_.to_data(), of_any_data(options));
 }
 
 void EnvelopeObject::write(const std::string& path, const std::string& format) const {

@@ -40,6 +40,7 @@ std::unique_ptr<delone_object> object_of(const CheckReport& report) {
   results->add("level_name", std::string(report.reached.name));
   results->add("level_meaning", std::string(report.reached.meaning));
   results->add("violation", report.violation);
+  results->add("not_examined", report.not_examined);
   results->add("cells", report.cells);
   results->add("points", report.points);
   results->add("vertices", report.vertices);

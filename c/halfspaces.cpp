@@ -47,6 +47,7 @@ Members IntersectionObject::members_of_data() {
       member<Object>("dimension", [](const Object& o) { return o.data().dimension; }),
       member<Object>("rank", [](const Object& o) { return o.data().rank; }),
       member<Object>("state", [](const Object& o) { return name_of(o.data().state); }),
+      member<Object>("kind", [](const Object&) { return delone::name_of(Data::kind).data(); }),
       member<Object>("num_halfspaces", [](const Object& o) { return o.data().num_halfspaces(); }),
       member<Object>("num_vertices", [](const Object& o) { return o.data().num_vertices(); }),
       member<Object>("num_directions", [](const Object& o) { return o.data().num_directions(); }),

@@ -29,6 +29,7 @@ Members HullObject::members_of_data() {
   return {
       member<Object>("dimension", [](const Object& o) { return o.data().dimension; }),
       member<Object>("affine_dimension", [](const Object& o) { return o.data().affine_dimension; }),
+      member<Object>("kind", [](const Object&) { return name_of(HullData::kind).data(); }),
       member<Object>("num_points", [](const Object& o) { return o.data().num_points(); }),
       member<Object>("num_cells", [](const Object& o) { return o.data().num_cells(); }),
       member<Object>("num_vertices", [](const Object& o) { return o.data().vertices.size(); }),

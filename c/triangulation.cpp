@@ -35,6 +35,7 @@ Members TriangulationObject::members_of_data() {
       member<Object>("cells", [](const Object& o) { return table(o.data().cells, width(o.data())); }),
       member<Object>("neighbors", [](const Object& o) { return table(o.data().neighbors, width(o.data())); }),
       member<Object>("vertex_of_point", [](const Object& o) { return list(o.data().vertex_of_point); }),
+      member<Object>("kind", [](const Object& o) { return name_of(o.data_kind()).data(); }),
       member<Object>("hash", [](const Object& o) -> const std::string& { return o.hash(); }),
   };
 }
@@ -48,6 +49,11 @@ const std::string& GivenTriangulation::hash() const {
 
 MadeTriangulation::MadeTriangulation(AnyTriangulation any, unsigned threads)
     : product_(std::make_shared<Product>(std::move(any))), threads_(threads) {}
+
+DataKind MadeTriangulation::data_kind() const {
+  constexpr std::array kinds{DataKind::delaunay, DataKind::regular, DataKind::furthest_site};
+  return kinds[product_->any.index()];
+}
 
 const char* MadeTriangulation::kind() const {
   constexpr std::array<const char*, 3> kinds{"delaunay", "regular", "furthest_site"};
@@ -115,12 +121,6 @@ std::unique_ptr<delone_object> MadeTriangulation::clone() const {
   return std::visit(
       [&](const auto& one) { return std::make_unique<MadeTriangulation>(one.clone(), threads_); },
       product()->any);
-}
-
-CheckReport MadeTriangulation::check(const CheckOptions& options) const {
-  CheckOptions of_kind = options;
-  of_kind.furthest_site = std::holds_alternative<FurthestSite<>>(product_->any);
-  return delone::check(data(), of_kind);
 }
 
 void MadeTriangulation::forget() {

@@ -32,6 +32,7 @@ class TriangulationObject : public delone_object {
   virtual int affine_dimension() const { return data().affine_dimension; }
   virtual std::size_t num_points() const { return data().num_points(); }
   virtual std::size_t num_cells() const { return data().num_cells(); }
+  virtual DataKind data_kind() const { return data().kind; }
   CheckReport check(const CheckOptions& options) const override { return delone::check(data(), options); }
   void write(const std::string& path, const std::string& format) const override;
 
@@ -76,13 +77,13 @@ class MadeTriangulation final : public TriangulationObject {
   const Members& members() const override;
   std::unique_ptr<delone_object> clone() const override;
   void insert(const double* rows, std::size_t num_rows, const double* weights) override;
-  CheckReport check(const CheckOptions& options) const override;
   const ComplexData& data() const override { return ready().data; }
   const std::string& hash() const override;
   int dimension() const override { return product_->common().dimension(); }
   int affine_dimension() const override { return product_->common().affine_dimension(); }
   std::size_t num_points() const override { return product_->common().num_points(); }
   std::size_t num_cells() const override { return product_->common().num_finite_cells(); }
+  DataKind data_kind() const override;
 
   /// The product once its cells have the numbers that they keep.
   const std::shared_ptr<Product>& product() const { return ready(), product_; }

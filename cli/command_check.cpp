@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -27,15 +28,31 @@ struct CheckCommandOptions {
   unsigned threads = 0;
 };
 
-const char* kind_of(const ComplexData& data, bool furthest_site) {
-  return furthest_site ? "furthest-site Delaunay" : data.weights.empty() ? "Delaunay" : "regular";
+/// What data are examined as, if they do not say what they are.
+template <class Data>
+DataKind kind_of(const Data&, const CheckCommandOptions&) {
+  return Data::kind;
 }
-const char* kind_of(const VoronoiData& data) { return data.weights.empty() ? "Voronoi" : "power"; }
+DataKind kind_of(const ComplexData& data, const CheckCommandOptions& options) {
+  return data.kind != DataKind::unknown ? data.kind
+         : options.furthest_site        ? DataKind::furthest_site
+         : data.weights.empty()         ? DataKind::delaunay
+                                        : DataKind::regular;
+}
+DataKind kind_of(const VoronoiData& data, const CheckCommandOptions&) { return data.kind; }
+
+/// "Delaunay triangulation"
+std::string_view without_article(DataKind kind) {
+  const std::string_view description = description_of(kind);
+  return description.substr(description.find(' ') + 1);
+}
 
 /// What the file holds, with its numbers.
 std::string contents(const ComplexData& data) {
-  return fmt::format("{} in dimension {}, affine dimension {}, {}", counted(data.num_points(), "point"),
-                     data.dimension, data.affine_dimension, counted(data.num_cells(), "cell"));
+  const std::string text =
+      fmt::format("{} in dimension {}, affine dimension {}, {}", counted(data.num_points(), "point"),
+                  data.dimension, data.affine_dimension, counted(data.num_cells(), "cell"));
+  return data.kind == DataKind::unknown ? text : fmt::format("{} of {}", description_of(data.kind), text);
 }
 std::string contents(const HullData& data) {
   return fmt::format("the hull of {} in dimension {}, affine dimension {}, {}, {}",
@@ -51,31 +68,48 @@ std::string contents(const IntersectionData& data) {
                             data.num_directions(), data.num_facets());
 }
 std::string contents(const VoronoiData& data) {
-  return fmt::format("the {} diagram of {} in dimension {}, affine dimension {}, {}, {} vertices",
-                     kind_of(data), counted(data.num_points(), "point"), data.dimension,
+  return fmt::format("the {} of {} in dimension {}, affine dimension {}, {}, {} vertices",
+                     without_article(data.kind), counted(data.num_points(), "point"), data.dimension,
                      data.affine_dimension, counted(data.num_regions(), "region"), data.num_vertices());
 }
 
 /// What has been proved once all levels are passed.
-std::string result(const ComplexData& data, const CheckOptions& options) {
-  return fmt::format("a {} triangulation of all its points", kind_of(data, options.furthest_site));
+std::string result(const ComplexData& data, DataKind kind) {
+  switch (kind) {
+    case DataKind::alpha_complex:
+    case DataKind::trimmed:
+      return fmt::format("cells of the {} triangulation of all its points",
+                         data.weights.empty() ? "Delaunay" : "regular");
+    case DataKind::alpha_boundary:
+      return "facets that enclose something";
+    case DataKind::lower_hull:
+    case DataKind::upper_hull:
+      return data.tolerance == 0 ? fmt::format("the {} of all its points", without_article(kind))
+                                 : fmt::format("the {} of its vertices, all points within the tolerance",
+                                               without_article(kind));
+    case DataKind::hull_boundary:
+      return "the convex hull of all its points";
+    default:
+      return fmt::format("{} of all its points", description_of(kind));
+  }
 }
-std::string result(const HullData& data, const CheckOptions&) {
+std::string result(const HullData& data, DataKind) {
   return data.tolerance == 0 ? "the convex hull of all its points"
                              : "the convex hull of its vertices, all points within the tolerance";
 }
-std::string result(const IntersectionData&, const CheckOptions&) {
-  return "the intersection of all its halfspaces";
-}
-std::string result(const VoronoiData& data, const CheckOptions&) {
-  return fmt::format("the {} diagram of all its points", kind_of(data));
+std::string result(const IntersectionData&, DataKind) { return "the intersection of all its halfspaces"; }
+std::string result(const VoronoiData&, DataKind kind) {
+  return fmt::format("the {} of all its points", without_article(kind));
 }
 
 /// The ties, once the level that finds them has been passed.
-std::string ties(const ComplexData&, const CheckReport& report) {
-  return report.reached.number < 5
-             ? ""
-             : fmt::format("ties: {} facets between two cells on one sphere\n", report.ties);
+std::string ties(const HullData&, const CheckReport& report);
+std::string ties(const ComplexData& data, const CheckReport& report) {
+  if (data.kind == DataKind::hull_boundary) return ties(HullData{}, report);
+  const bool is_envelope = data.kind == DataKind::lower_hull || data.kind == DataKind::upper_hull;
+  return report.reached.number < 5 ? ""
+                                   : fmt::format("ties: {} facets between two cells {}\n", report.ties,
+                                                 is_envelope ? "in one hyperplane" : "on one sphere");
 }
 std::string ties(const HullData&, const CheckReport& report) {
   return report.reached.number < 3
@@ -99,6 +133,18 @@ void require_fitting(const CheckCommandOptions& options) {
                     input_name(options.path)));
 }
 
+/// The same of options that are not for simplices of every kind.
+void require_fitting_kind(const ComplexData& data, const CheckCommandOptions& options) {
+  const auto refuse = [&](std::string_view option, std::string_view use) {
+    throw UsageError(fmt::format("{} says that it holds {}; {} is for {}", input_name(options.path),
+                                 description_of(data.kind), option, use));
+  };
+  if (options.furthest_site && data.kind != DataKind::unknown && data.kind != DataKind::furthest_site)
+    refuse("--furthest-site", "files that do not say what they hold");
+  const bool is_hull = data.kind >= DataKind::lower_hull || data.kind == DataKind::alpha_boundary;
+  if (options.canonical && is_hull) refuse("--canonical", "triangulations and parts of them");
+}
+
 /// Takes the points from the other file.
 template <class Data>
 void replace_points(Data& data, const CheckCommandOptions& options) {
@@ -112,25 +158,22 @@ void replace_points(Data& data, const CheckCommandOptions& options) {
 }
 
 /// Prints the report. Returns the exit status.
-template <class Data>
-int print_report(const CheckCommandOptions& options, const std::string& held, const CheckReport& report,
-                 const std::string& ties_text, const std::string& proved) {
+int print_report(const CheckCommandOptions& options, DataKind kind, const std::string& held,
+                 const CheckReport& report, const std::string& ties_text, const std::string& proved) {
   std::string text = fmt::format("{}: {}\n", input_name(options.path), held);
-  for (const CheckLevel& level : check_levels<Data>()) {
+  for (const CheckLevel& level : check_levels(kind)) {
     if (level.number > report.reached.number) break;
     const bool failed = !report.ok && level.number == report.reached.number;
-    std::string meaning(level.meaning);
-    if (const auto at = meaning.find("inside the sphere"); options.furthest_site && at != std::string::npos)
-      meaning.replace(at, 6, "outside");
-    text +=
-        fmt::format("level {}  {:<17}{:<8}{}\n", level.number, level.name, failed ? "FAILED" : "ok", meaning);
+    text += fmt::format("level {}  {:<17}{:<8}{}\n", level.number, level.name, failed ? "FAILED" : "ok",
+                        level.meaning);
   }
   if (!report.ok) {
     text += fmt::format("violation: {}\n", report.violation);
   } else {
     text += ties_text;
-    text += report.reached.number == check_levels<Data>().back().number ? proved + ", exactly\n"
-                                                                        : "no violation up to this level\n";
+    text += report.reached.number == check_levels(kind).back().number ? proved + ", exactly\n"
+                                                                      : "no violation up to this level\n";
+    if (!report.not_examined.empty()) text += fmt::format("not examined: {}\n", report.not_examined);
     if (options.canonical) text += "ties are decided as the symbolic perturbation decides them\n";
   }
   print_output(text);
@@ -140,6 +183,7 @@ int print_report(const CheckCommandOptions& options, const std::string& held, co
 template <class Data>
 int run_check(Data data, const CheckCommandOptions& options) {
   require_fitting<Data>(options);
+  if constexpr (std::is_same_v<Data, ComplexData>) require_fitting_kind(data, options);
   if constexpr (std::is_same_v<Data, ComplexData> || std::is_same_v<Data, HullData>)
     if (!options.points.path.empty()) replace_points(data, options);
   CheckOptions check_options;
@@ -150,7 +194,8 @@ int run_check(Data data, const CheckCommandOptions& options) {
   check_options.furthest_site = options.furthest_site;
   const CheckReport report = about(input_name(options.path), [&] { return check(data, check_options); });
 
-  return print_report<Data>(options, contents(data), report, ties(data, report), result(data, check_options));
+  const DataKind kind = kind_of(data, options);
+  return print_report(options, kind, contents(data), report, ties(data, report), result(data, kind));
 }
 
 /// A folder of tiles.
@@ -170,8 +215,8 @@ int run_check_tiles(const CheckCommandOptions& options) {
     return input ? check_tiles(options.path, PointsView(input->coordinates, input->dimension), check_options)
                  : check_tiles(options.path, check_options);
   });
-  return print_report<ComplexData>(
-      options,
+  return print_report(
+      options, DataKind::unknown,
       fmt::format("{} in dimension {}, affine dimension {}, {} in {}",
                   counted(static_cast<std::size_t>(index.num_points), "point"), index.dimension,
                   index.affine_dimension, counted(static_cast<std::size_t>(index.num_cells), "cell"),
@@ -183,10 +228,9 @@ int run_check_tiles(const CheckCommandOptions& options) {
                                     : "all its points but hidden ones, which are not examined"));
 }
 
-template <class Data>
-std::string levels_text(const char* title) {
+std::string levels_text(DataKind kind, const char* title) {
   std::string text = fmt::format("{}:\n", title);
-  for (const CheckLevel& level : check_levels<Data>())
+  for (const CheckLevel& level : check_levels(kind))
     text += fmt::format("  {}  {:<17}{}\n", level.number, level.name, level.meaning);
   return text;
 }
@@ -209,16 +253,20 @@ Run add_check(CLI::App& app) {
   app.add_flag("--any-orientation", options->any_orientation,
                "Take cells as sets of vertices, as Qhull and SciPy write them: their order means nothing");
   app.add_flag("--furthest-site", options->furthest_site,
-               "Require that no point is outside the sphere of a cell; points that are not extreme are not "
-               "vertices");
+               "For a file that does not say what it holds: require that no point is outside the sphere of a "
+               "cell; points that are not extreme are not vertices");
   app.add_option("--points", options->points.path,
                  "Take the points from this file instead; with a folder of tiles, compare with them")
       ->type_name("FILE");
   add_max_stream(app, options->points.options.max_stream_bytes);
   add_threads(app, options->threads);
-  app.footer(levels_text<ComplexData>("Levels of triangulations") + levels_text<HullData>("Levels of hulls") +
-             levels_text<VoronoiData>("Levels of Voronoi and power diagrams") +
-             levels_text<IntersectionData>("Levels of intersections of halfspaces") +
+  app.footer(levels_text(DataKind::unknown, "Levels of triangulations") +
+             levels_text(DataKind::lower_hull, "Levels of lower hulls; of upper hulls alike") +
+             levels_text(DataKind::alpha_complex, "Levels of alpha complexes and trimmed triangulations") +
+             levels_text(DataKind::alpha_boundary, "Levels of boundaries of alpha complexes") +
+             levels_text(DataKind::convex_hull, "Levels of hulls") +
+             levels_text(DataKind::voronoi, "Levels of Voronoi and power diagrams") +
+             levels_text(DataKind::halfspace_intersection, "Levels of intersections of halfspaces") +
              "Exit status: 0 no violation, 1 a violation, which is printed.");
   return [options] {
     protect_files({options->path, options->points.path}, {{"the report", "-"}});

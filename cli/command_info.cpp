@@ -68,7 +68,7 @@ class Description {
 };
 
 std::string describe(const ComplexData& data) {
-  Description description("a triangulation");
+  Description description{std::string(description_of(data.kind))};
   description.line("points", data.num_points())
       .line("dimension", data.dimension)
       .line("affine dimension", data.affine_dimension)
@@ -82,6 +82,7 @@ std::string describe(const ComplexData& data) {
     const auto hidden = std::count(data.vertex_of_point.begin(), data.vertex_of_point.end(), -1);
     if (hidden > 0) description.line("hidden points", hidden);
   }
+  if (data.tolerance > 0) description.line("tolerance", data.tolerance);
   return description.range("weights", data.weights).line("hash", canonical_hash(data).hex()).text();
 }
 
@@ -113,7 +114,7 @@ std::string describe(const IntersectionData& data) {
 }
 
 std::string describe(const VoronoiData& data) {
-  return Description(data.weights.empty() ? "a Voronoi diagram" : "a power diagram")
+  return Description(std::string(description_of(data.kind)))
       .line("points", data.num_points())
       .line("dimension", data.dimension)
       .line("affine dimension", data.affine_dimension)

@@ -66,6 +66,9 @@ std::string page_of(const VoronoiData& data, HtmlOptions html, const ViewOptions
   const StageGuard guard(Stage::building);
   const DiagramOptions how{.tolerance = data.tolerance, .threads = options.build.threads};
   const Options build = options.build.to_options(bar);
+  if (data.kind == DataKind::furthest_voronoi)
+    return to_html(FurthestVoronoi(FurthestSite<>(data.points, data.dimension, build), how), html,
+                   box_of(options, data.dimension));
   if (data.weights.empty())
     return to_html(Voronoi(Delaunay<>(data.points, data.dimension, build), how), html,
                    box_of(options, data.dimension));

@@ -18,7 +18,7 @@ namespace {
 
 struct VoronoiOptions {
   WeightedInput weighted;  // the points; of a power diagram with weights
-  bool power = false;
+  bool power = false, furthest_site = false;
   BuildOptions build;
   std::string volumes;
   double tolerance = 0;
@@ -78,7 +78,10 @@ void check_outputs(const VoronoiOptions& options, int dimension) {
 
 Json stats(const Triangulation& t, const Diagram& diagram, const Cost& cost, const VoronoiOptions& options) {
   const Counts counts = counts_of(t, t.hash().hex());
-  Json json = stats_of(options.power ? "power" : "voronoi", counts);
+  Json json = stats_of(options.power           ? "power"
+                       : options.furthest_site ? "furthest_voronoi"
+                                               : "voronoi",
+                       counts);
   json["voronoi_vertices"] = diagram.num_vertices();
   json["regions"] = diagram.num_regions();
   json["unbounded_regions"] = diagram.num_unbounded_regions();
@@ -95,7 +98,9 @@ Json stats(const Triangulation& t, const Diagram& diagram, const Cost& cost, con
 Summary summary(const Triangulation& t, const Diagram& diagram, const Cost& cost,
                 const VoronoiOptions& options) {
   const Counts counts = counts_of(t, {});
-  const std::string kind = options.power ? "power" : "Voronoi";
+  const std::string kind = options.power           ? "power"
+                           : options.furthest_site ? "furthest-site Voronoi"
+                                                   : "Voronoi";
   const std::string tolerance = diagram.tolerance() > 0
                                     ? fmt::format("; with tolerance {}, none moved further than {}",
                                                   diagram.tolerance(), diagram.max_displacement())
@@ -127,6 +132,9 @@ Voronoi<> diagram_of(const Delaunay<>& triangulation, const DiagramOptions& opti
 }
 PowerDiagram<> diagram_of(const Regular<>& triangulation, const DiagramOptions& options) {
   return PowerDiagram(triangulation, options);
+}
+FurthestVoronoi<> diagram_of(const FurthestSite<>& triangulation, const DiagramOptions& options) {
+  return FurthestVoronoi(triangulation, options);
 }
 
 /// The triangulation by `build`, its diagram, and what was asked for.
@@ -191,6 +199,13 @@ int run_voronoi(const VoronoiOptions& options) {
           return Regular<>(points.coordinates, weights, points.dimension, build_options);
         },
         box, column_names, cost, start, options);
+  if (options.furthest_site)
+    return run_with(
+        [&](const Options& build_options) {
+          const PointTable points = taken();
+          return FurthestSite<>(points.coordinates, points.dimension, build_options);
+        },
+        box, column_names, cost, start, options);
   return run_with(
       [&](const Options& build_options) {
         const PointTable points = taken();
@@ -206,6 +221,9 @@ Run add_diagram(CLI::App& app, bool power) {
     options->weighted.add_to(app);
   else
     options->weighted.input.add_to(app, "IN", "Points: a file, or - for standard input");
+  if (!power)
+    app.add_flag("--furthest-site", options->furthest_site,
+                 "The diagram of furthest sites: regions of the points that are not further from any other");
   options->build.add_output(app, "the diagram", voronoi_formats());
   options->build.add_qhull(app, "qvoronoi", "o p Fv Fx Fn");
   app.add_option("--box", options->box,

@@ -25,6 +25,8 @@ struct DELONE_EXPORT_TYPE CheckLevel {
 /// The levels of this kind of data, from 1 on.
 template <PlainData Data>
 DELONE_EXPORT std::span<const CheckLevel> check_levels();
+/// The same; those of ComplexData and VoronoiData depend on what the data are.
+DELONE_EXPORT std::span<const CheckLevel> check_levels(DataKind kind);
 
 struct CheckOptions {
   static constexpr int all = std::numeric_limits<int>::max();
@@ -42,8 +44,8 @@ struct CheckOptions {
   /// (Qhull and SciPy do not orient theirs), and level 4 requires that neighbors lie on different sides of
   /// their common facet.
   bool oriented = true;
-  /// Require a furthest-site Delaunay triangulation: no point outside the sphere of a cell; points that are
-  /// not extreme are not vertices.
+  /// For data of unknown kind: require a furthest-site Delaunay triangulation, no point outside the sphere of
+  /// a cell; points that are not extreme are not vertices.
   bool furthest_site = false;
 };
 
@@ -53,14 +55,16 @@ struct CheckReport {
   std::string violation;  ///< the first violation, naming rows of arrays; empty when ok
   /// The rows of the arrays that the violation concerns, by kind.
   std::vector<std::size_t> cells, points, vertices, halfspaces;
+  /// What the data say and no level examines, because they do not hold what would prove it; mostly empty.
+  std::string not_examined;
   /// Triangulations: facets whose two cells are exactly cospherical (found at level 5). Hulls: ridges whose
   /// two cells lie in one hyperplane (level 3).
   std::size_t ties = 0;
 };
 
 /// Examines data level after level and stops at the first violation. A violation is a result, not an error.
-/// Throws Errc::invalid_argument (up_to < 1, or options of triangulations for other data), too_many,
-/// out_of_memory.
+/// Data of a known kind (DataKind) are examined as what they say they are. Throws Errc::invalid_argument
+/// (up_to < 1, or options of triangulations for other data), too_many, out_of_memory.
 ///
 /// Triangulations. Unknown neighbors are derived from the cells first. Levels 1–5 together prove the
 /// empty-sphere property of every cell against every vertex. Cost O(m·k³), and more if exact arithmetic is
@@ -74,6 +78,22 @@ struct CheckReport {
 ///   5 local convexity  no facet has the opposite vertex of its neighbor inside the sphere, hull facets are
 ///                      convex: exactly
 ///   6 completeness     every input point is a vertex or a duplicate of one; affine dimension is right
+///
+/// Lower and upper hulls, of points with a composition and a height. The same levels; cells have volume over
+/// the compositions, and level 5 requires that no vertex is below (above) the hyperplane of a cell next to
+/// it. Level 6 proves that no point is farther below (above) the cells than the tolerance.
+///
+/// Alpha complexes and trimmed triangulations. The points are triangulated anew, and that triangulation is
+/// examined. Which of its cells belong to the data is not examined: they do not tell the radius or tolerance.
+///   1 storage          as above
+///   2 incidence        as above
+///   3 part             every cell is one of the triangulation of all points, oriented as there
+///
+/// The facets around an alpha complex. Which they are is not examined.
+///   1 storage          as above
+///   2 closed           each of their facets is in as many of them with one orientation as with the other
+///
+/// The cells of a convex hull are examined as a hull.
 DELONE_EXPORT CheckReport check(const ComplexData& data, const CheckOptions& options = {});
 
 /// Convex hulls. Levels 1–4 prove that the cells are the boundary of the convex hull of all points. Needs
@@ -99,12 +119,13 @@ DELONE_EXPORT CheckReport check(const HullData& data, const CheckOptions& option
 ///                      and kinds are right: so nothing is missing
 DELONE_EXPORT CheckReport check(const IntersectionData& data, const CheckOptions& options = {});
 
-/// Voronoi diagrams, and power diagrams if there are weights. The numbering of vertices and regions, the
-/// order of ridges and rays and the first entry of cyclic lists are free; for k < d so is the direction of
-/// cyclic lists. From level 2 on the points are triangulated again, that triangulation is examined, and the
-/// arrays are compared with its diagram: vertices by their sets of regions, rays by the sites of their hull
-/// facets, exactly. Cost: that of triangulating and of checking the triangulation. Also throws
-/// Errc::bad_dimension, not_finite and unsupported.
+/// Voronoi, power and furthest-site Voronoi diagrams. The numbering of vertices and regions, the order of
+/// ridges and rays and the first entry of cyclic lists are free; for k < d so is the direction of cyclic
+/// lists. From level 2 on the points are triangulated again, that triangulation is examined, and the arrays
+/// are compared with its diagram: vertices by their sets of regions, rays by the sites of their hull facets,
+/// exactly. So the sites of a vertex are proved to be all that are nearest to it, or furthest from it. Cost:
+/// that of triangulating and of checking the triangulation. Also throws Errc::bad_dimension, not_finite and
+/// unsupported.
 ///   1 storage          array sizes; rows and vertices in range; −1 only first; nothing twice in a list
 ///   2 regions          each point is in the region of its site, or hidden; the vertices of all regions, in
 ///                      their order for k = 2

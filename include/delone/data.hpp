@@ -12,11 +12,40 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace delone {
+
+/// What data are. Files say it by name (docs/formats.md), and check() proves what it says.
+enum class DataKind : std::uint8_t {
+  unknown,         ///< not said: a triangulation from elsewhere, Delaunay, or regular if there are weights
+  delaunay,        ///< ComplexData: a Delaunay triangulation
+  regular,         ///< ComplexData: a regular triangulation
+  furthest_site,   ///< ComplexData: a furthest-site Delaunay triangulation
+  alpha_complex,   ///< ComplexData: the cells of an alpha complex
+  alpha_boundary,  ///< ComplexData: the facets around these cells
+  trimmed,         ///< ComplexData: the cells that trim() has left of a triangulation
+  lower_hull,      ///< ComplexData: the cells of a lower hull
+  upper_hull,      ///< ComplexData: the cells of an upper hull
+  hull_boundary,   ///< ComplexData: the cells of a convex hull, where a format holds nothing else of it
+  convex_hull,     ///< HullData
+  halfspace_intersection,  ///< IntersectionData
+  voronoi,                 ///< VoronoiData: a Voronoi diagram
+  power_diagram,           ///< VoronoiData: a power diagram
+  furthest_voronoi,        ///< VoronoiData: a furthest-site Voronoi diagram
+};
+
+/// The name of a kind in files: that of the enumerator; "" for unknown.
+DELONE_EXPORT std::string_view name_of(DataKind kind);
+/// What data of the kind are, in a few words: "a Delaunay triangulation"; "a triangulation" for unknown.
+DELONE_EXPORT std::string_view description_of(DataKind kind);
+/// The kind of a name; nullopt if no kind has it.
+DELONE_EXPORT std::optional<DataKind> find_data_kind(std::string_view name);
+
 namespace detail {
 
 /// Whether a row of points was removed: it has no vertex, and its coordinates are NaN.
@@ -29,7 +58,7 @@ inline bool is_removed(std::size_t row, std::span<const SignedIndex> vertices, s
 
 }  // namespace detail
 
-/// A triangulation: Delaunay, regular (with weights) or furthest-site.
+/// A triangulation: Delaunay, regular (with weights) or furthest-site; or simplices of another kind.
 struct DELONE_EXPORT_TYPE ComplexData {
   int dimension = 0;               ///< d, coordinates per point
   int affine_dimension = -1;       ///< k, dimension of the affine hull of the points; −1 when there is none
@@ -42,6 +71,8 @@ struct DELONE_EXPORT_TYPE ComplexData {
   std::vector<SignedIndex> vertex_of_point;
   std::vector<double> weights{};            ///< n, of a regular triangulation; empty: points have no weights
   std::vector<std::string> column_names{};  ///< d, what the coordinates are called; empty: unknown
+  DataKind kind = DataKind::unknown;        ///< what they are
+  double tolerance = 0;  ///< of a lower or upper hull: points may be so far beyond it along the last axis
 
   std::size_t num_points() const {
     return dimension < 1 ? 0 : points.size() / static_cast<std::size_t>(dimension);
@@ -69,6 +100,7 @@ enum class PointKind : std::uint8_t {
 /// of one cell, or of several if more than k points lie in its hyperplane. Faces are given by their extreme
 /// rows, increasing.
 struct DELONE_EXPORT_TYPE HullData {
+  static constexpr DataKind kind = DataKind::convex_hull;
   int dimension = 0;           ///< d
   int affine_dimension = -1;   ///< k
   std::vector<double> points;  ///< n×d, as given; may be empty
@@ -121,6 +153,7 @@ enum class HalfspaceKind : std::uint8_t {
 /// linear space of `lineality` and of a polyhedron in k of the coordinates, `axes`; vertices, directions and
 /// edges are those of that polyhedron, their other coordinates 0.
 struct DELONE_EXPORT_TYPE IntersectionData {
+  static constexpr DataKind kind = DataKind::halfspace_intersection;
   int dimension = 0;                                  ///< d
   int rank = 0;                                       ///< k
   IntersectionState state = IntersectionState::full;  ///< whether there are interior points
@@ -182,8 +215,8 @@ struct DELONE_EXPORT_TYPE IntersectionData {
   }
 };
 
-/// A Voronoi diagram, or a power diagram (with weights). Members mean what members of the same name of
-/// Diagram mean.
+/// A Voronoi diagram, a power diagram (with weights) or a diagram of furthest sites. Members mean what
+/// members of the same name of Diagram mean.
 struct DELONE_EXPORT_TYPE VoronoiData {
   int dimension = 1, affine_dimension = -1;  ///< d and k
   std::vector<double> points;   ///< n×d, hidden points included; NaN for rows that were not inserted
@@ -195,6 +228,7 @@ struct DELONE_EXPORT_TYPE VoronoiData {
   std::vector<double> ray_directions;
   double tolerance = 0;                     ///< what the diagram was made with
   std::vector<std::string> column_names{};  ///< d, what the coordinates are called; empty: unknown
+  DataKind kind = DataKind::unknown;        ///< what they are; unknown: a power diagram if there are weights
 
   std::size_t num_points() const { return point_region.size(); }
   /// Whether a row of the points was removed from the triangulation: its coordinates are NaN.

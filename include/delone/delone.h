@@ -113,7 +113,7 @@ DELONE_C_API void delone_set_progress(delone_progress progress, void* user_data)
  *   integer  up_to 0            of checks: the highest level to examine; 0: all
  *   integer  canonical 0        of checks: 1 also asks for the triangulation that ties are broken to
  *   integer  oriented 1         of checks: 0 takes cells as sets, as Qhull and SciPy have them
- *   integer  furthest_site 0    of checks: 1 asks for a furthest-site triangulation; known of those made here
+ *   integer  furthest_site 0    of checks of a "triangulation" whose kind is "": 1 asks for furthest sites
  *   text     format ""          of files that are read; "": by the extension
  *   text     columns            of files of points: a name, a number from 0, or a range such as 2-5. Each
  *                               call adds one; NULL removes all; none: all columns
@@ -151,6 +151,8 @@ DELONE_C_API int delone_set_text(delone_options* options, const char* name, cons
  *   integer  dimension+ affine_dimension+ num_points+ num_cells+ num_vertices num_duplicates num_hidden
  *            num_infinite_cells
  *   text     hash+: 32 hexadecimal digits that depend on vertices and cells only
+ *            kind+: "delaunay", "regular", "furthest_site", "alpha_complex", "alpha_boundary", "trimmed",
+ *            "lower_hull", "upper_hull", "hull_boundary"; "" if that is unknown
  *   array    points+ n x d; weights+ n (regular); cells+ m x (k+1) rows, positively oriented when k = d;
  *            neighbors+ m x (k+1) cells: number i is opposite vertex i, -1 outside the hull;
  *            vertex_of_point+ n rows, -1: hidden; edges e x 2 rows; hull_facets h x k rows; axes k (int32)
@@ -160,7 +162,7 @@ DELONE_C_API int delone_set_text(delone_options* options, const char* name, cons
  *   integer  dimension+ affine_dimension+ num_points+ num_cells+ num_facets+ num_ridges+ num_vertices+
  *            num_duplicates
  *   real     tolerance+ max_distance+ volume volume_error area area_error
- *   text     hash
+ *   text     hash; kind+: "convex_hull"
  *   array    points+ n x d; cells+ m x k rows; neighbors+ m x k; facet_of_cell+ m; facet_offsets+,
  *            facet_vertices+; ridge_facets+ r x 2; ridge_offsets+, ridge_vertices+; equations+ f x (d+1);
  *            equation_errors+ f; vertices+: the extreme rows; vertex_of_point+ n; point_kinds+ n (uint8):
@@ -181,6 +183,7 @@ DELONE_C_API int delone_set_text(delone_options* options, const char* name, cons
  *            bounded+ interior_point_is_exact+
  *   real     volume dual_volume dual_area
  *   text     state+: "full", "flat" (some points, but none strictly inside) or "empty"
+ *            kind+: "halfspace_intersection"
  *   array    halfspaces+ m x (d+1); first_of_halfspace+ m; kinds+ m (uint8): 0 facet, 1 touching,
  *            2 redundant, 3 duplicate, 4 trivial; witness+; interior_point+ d; axes+ (int32);
  *            vertices+ v x d; vertex_offsets+, vertex_halfspaces+; directions+ r x d; direction_offsets+,
@@ -188,18 +191,21 @@ DELONE_C_API int delone_set_text(delone_options* options, const char* name, cons
  *            facet_vertices+; facet_direction_offsets+, facet_directions+; lineality+ (d-k) x d;
  *            dual_points+ m x d; dual_equations+ v x (d+1)
  *
- * "voronoi", "power_diagram"; "diagram" (read)
+ * "voronoi", "power_diagram", "furthest_voronoi"; "diagram" (read)
  *   integer  dimension+ affine_dimension+ num_points+ num_vertices+ num_regions+ num_ridges+ num_rays+
  *            num_unbounded_regions
  *   real     tolerance+ max_displacement
+ *   text     kind+: "voronoi", "power_diagram" or "furthest_voronoi"
  *   array    points+ n x d; weights+ n (power); vertices+ v x d; ridge_points+ r x 2 rows;
  *            ridge_offsets+ (int64), ridge_vertices+; region_offsets+ (int64), region_vertices+;
  *            point_region+ n; ray_vertices+ u; ray_directions+ u x d; ray_points+ u x k; region_points:
  *            the row of each region; region_volumes; ridge_volumes
  *
- * "points" (read) integer dimension num_points; array points n x d "interpolator" integer dimension columns
- * "lists" (of queries) array offsets q+1 (int64), and the arrays that the query names "report" (of checks)
- * integer ok level ties; text level_name level_meaning violation (empty if ok is 1);
+ * "points" (read)       integer dimension num_points; array points n x d
+ * "interpolator"        integer dimension columns
+ * "lists" (of queries)  array offsets q+1 (int64), and the arrays that the query names
+ * "report" (of checks)  integer ok level ties; text level_name level_meaning violation (empty if ok is 1)
+ *                       not_examined (what the data say without holding a proof; mostly empty);
  *                       array cells, points, vertices, halfspaces (int64): what the violation concerns
  *
  * "tiles", of t parts
@@ -290,7 +296,8 @@ DELONE_C_API int delone_halfspace_intersection(const double* halfspaces, size_t 
                                                const double* interior_point, const delone_options* options,
                                                delone_object** object);
 
-/* The Voronoi diagram of a "delaunay", the power diagram of a "regular" triangulation. It owns its data.
+/* The diagram of a triangulation: "voronoi" of a "delaunay", "power_diagram" of a "regular",
+ * "furthest_voronoi" of a "furthest_site" one, whose ray_directions point inward. It owns its data.
  * Options: threads, tolerance: smaller vertices and ridges are left out. Errors: INVALID_ARGUMENT,
  * OUT_OF_MEMORY, CANCELLED. */
 DELONE_C_API int delone_voronoi(const delone_object* triangulation, const delone_options* options,
@@ -383,7 +390,7 @@ DELONE_C_API int delone_heights(const delone_object* hull, const double* composi
 DELONE_C_API int delone_height_above(const delone_object* hull, const double* points, size_t num_queries,
                                      const delone_options* options, double* heights);
 
-/* The volume of each region of a "voronoi" or "power_diagram" within the box low[j] <= x[j] <= high[j]: an
+/* The volume of each region of a diagram that was made within the box low[j] <= x[j] <= high[j]: an
  * entry for each region. They add up to the volume of the box. Without a box: the member region_volumes.
  * Option: threads. UNSUPPORTED for d > 12. */
 DELONE_C_API int delone_region_volumes(const delone_object* diagram, const double* low, const double* high,
@@ -398,9 +405,9 @@ DELONE_C_API int delone_in_sphere(const double* points, const double* query, int
 
 /* ---- Checks and files ---------------------------------------------------------------------------------- */
 
-/* Proves a result exactly, level after level: "report". A violation is an answer (ok is 0), not an error. For
- * a lower or upper hull the convex hull that contains it is examined. Options: up_to, threads; of
- * triangulations canonical, oriented, furthest_site. For the levels see check.hpp. */
+/* Proves a result exactly, level after level: "report". A violation is an answer (ok is 0), not an error. The
+ * levels depend on the kind of the object, see check.hpp. Options: up_to, threads; of triangulations
+ * canonical, oriented, furthest_site. */
 DELONE_C_API int delone_check(const delone_object* object, const delone_options* options,
                               delone_object** report);
 

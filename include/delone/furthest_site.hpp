@@ -16,7 +16,7 @@ namespace delone {
 /// The furthest-site Delaunay triangulation of points in R^D (of R^d, d an argument of the constructor, for D
 /// = dynamic): the cells whose spheres have no point outside. It is the upper boundary of the convex hull of
 /// the points (x, |x|²), seen from above, and the dual of the diagram that assigns to each point of space the
-/// site furthest from it.
+/// site furthest from it: FurthestVoronoi.
 ///
 /// Its cells tile the convex hull of the points, and its vertices are the extreme points. All others are
 /// *hidden*: points inside the hull, and those within its facets and edges. Edits may turn hidden points into
@@ -29,8 +29,7 @@ namespace delone {
 /// points, and a walk for each hidden point.
 ///
 /// The members of Triangulation answer for the visible vertices. in_sphere() is the side of the sphere as
-/// usual, but a cell is in conflict with points *outside* its sphere. To check its to_data(), set
-/// CheckOptions::furthest_site.
+/// usual, but a cell is in conflict with points *outside* its sphere.
 template <int D = dynamic>
 class FurthestSite : public Triangulation {
   static_assert(D >= 0, "the dimension of the space is at least 1, or delone::dynamic");

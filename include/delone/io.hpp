@@ -95,9 +95,9 @@ DELONE_EXPORT void write_table(const std::string& path, const PointTable& table,
 /// The contents of a file.
 using AnyData = std::variant<ComplexData, HullData, IntersectionData, VoronoiData>;
 
-/// Reads any of these. The names of the arrays tell which: an intersection of halfspaces has
-/// first_of_halfspace, a diagram ridge_points and point_region, a hull facet_of_cell; everything else is a
-/// triangulation.
+/// Reads any of these. The member `kind` (in OFF a comment) says which, by the name of a DataKind. If there
+/// is none, the names of the arrays tell: an intersection of halfspaces has first_of_halfspace, a diagram
+/// ridge_points and point_region, a hull facet_of_cell; everything else is a triangulation of unknown kind.
 ///   npz   ours; also any .npz of these arrays, and of `points` and `cells` or `simplices`
 ///   json  the same members; the format of standard input
 ///   off   OFF, nOFF: a triangulation

@@ -40,10 +40,10 @@ struct TrimResult {
 ///
 /// The result depends on the set of cells only. Heights are computed in integers and rounded up, sums too, so
 /// a cell stays if rounding takes its depth beyond the tolerance. Trimmed cells are Delaunay, but their union
-/// is not convex: check() says so. Cost: O(m·k·d²) for m cells, and a solve in integers for each cell at the
-/// border that may be thin. Throws Errc::invalid_argument (a tolerance that is negative, not finite, or
-/// larger than the longest side of the bounding box of two points or more), out_of_memory, cancelled by a
-/// ProgressScope.
+/// is not convex: the data say that they are trimmed, and check() proves them a part. Cost: O(m·k·d²) for m
+/// cells, and a solve in integers for each cell at the border that may be thin. Throws Errc::invalid_argument
+/// (a tolerance that is negative, not finite, or larger than the longest side of the bounding box of two
+/// points or more), out_of_memory, cancelled by a ProgressScope.
 DELONE_EXPORT TrimResult trim(const Triangulation& triangulation, double tolerance);
 
 }  // namespace delone

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Voronoi and power diagrams: the dual of a Delaunay or regular triangulation as arrays, volumes of regions,
-// clipping to a box.
+// Voronoi and power diagrams, of nearest and of furthest sites: the dual of a Delaunay, regular or
+// furthest-site triangulation as arrays, volumes of regions, clipping to a box.
 #pragma once
 
 #include <delone/data.hpp>
 #include <delone/delaunay.hpp>
 #include <delone/export.hpp>
+#include <delone/furthest_site.hpp>
 #include <delone/points.hpp>
 #include <delone/regular.hpp>
 #include <delone/types.hpp>
@@ -58,8 +59,9 @@ struct DiagramOptions {
 
 /// A diagram of sites in R^d: for each site (distinct point) the region of the points of the flat that are
 /// not nearer to, or of no smaller power with respect to, any other site. This is its interface for every
-/// dimension: make a Voronoi<D> or PowerDiagram<D>; functions for all dimensions take a `const Diagram&`.
-/// Owns its data: the triangulation may change or be destroyed afterwards.
+/// dimension: make a Voronoi<D>, a PowerDiagram<D> or, with regions of the points that are not further from
+/// any other site, a FurthestVoronoi<D>; functions for all dimensions take a `const Diagram&`. Owns its data:
+/// the triangulation may change or be destroyed afterwards.
 ///
 /// Points that span only a k-flat have their diagram inside the flat: vertices, rays and volumes are those of
 /// R^k, in d coordinates. One point (k = 0) has one region, everything, without vertices; no point (k = −1)
@@ -102,6 +104,7 @@ struct DiagramOptions {
 /// bounding box of two sites or more), cancelled, out_of_memory.
 class DELONE_EXPORT Diagram {
  public:
+  DataKind kind() const { return kind_; }                     ///< voronoi, power_diagram, furthest_voronoi
   int dimension() const { return dimension_; }                ///< d
   int affine_dimension() const { return affine_dimension_; }  ///< k
   std::size_t num_points() const { return point_region_.size(); }
@@ -170,9 +173,9 @@ class DELONE_EXPORT Diagram {
   VoronoiData to_data() const;
 
   /// The unbounded edges, one for each facet of the convex hull (hull facets in one hyperplane whose cells
-  /// have one sphere share theirs): the vertex each starts from, its direction (num_rays()×d, outward unit
-  /// vectors in the flat, rounded), and the k sites of a hull facet it is equally near to (num_rays()×k input
-  /// rows).
+  /// have one sphere share theirs): the vertex each starts from, its direction (num_rays()×d unit vectors in
+  /// the flat, rounded: outward, of furthest sites inward), and the k sites of a hull facet it is equally
+  /// near to (num_rays()×k input rows).
   std::span<const SignedIndex> ray_vertices() const { return ray_vertices_; }
   std::span<const double> ray_directions() const { return ray_directions_; }
   std::span<const SignedIndex> ray_points() const { return ray_points_; }
@@ -232,7 +235,8 @@ class DELONE_EXPORT Diagram {
   bool is_inside(std::size_t region, const Box& box) const;
 
   int dimension_ = 1, affine_dimension_ = -1;
-  bool has_ridges_ = true, is_weighted_ = false;
+  DataKind kind_ = DataKind::voronoi;
+  bool has_ridges_ = true;
   std::vector<double> sites_, weights_;  // by region
   std::vector<double>
       hidden_;  // d coordinates and the weight of each row without a region, NaN if not inserted
@@ -281,7 +285,8 @@ class Voronoi : public Diagram {
     static_assert(
         detail::always_false<Other>,
         "a Voronoi diagram is made from a delone::Delaunay triangulation of the same D; the dual of a "
-        "delone::Regular one is a delone::PowerDiagram");
+        "delone::Regular one is a delone::PowerDiagram, of a delone::FurthestSite one a "
+        "delone::FurthestVoronoi diagram");
   }
 };
 
@@ -324,5 +329,40 @@ class PowerDiagram : public Diagram {
 
 template <int D>
 PowerDiagram(const Regular<D>&, const DiagramOptions& = {}) -> PowerDiagram<D>;
+
+/// The diagram of furthest sites of points of R^D: for each extreme point the region of the points of the
+/// flat that are not further from any other. All regions are unbounded, and a region does not contain its
+/// site; the other points are hidden, and have none. The dual of the furthest-site triangulation.
+template <int D = dynamic>
+class FurthestVoronoi : public Diagram {
+ public:
+  explicit FurthestVoronoi(const FurthestSite<D>& triangulation, const DiagramOptions& options = {})
+      : Diagram(triangulation, {}, options) {}
+  /// Other triangulations have another dual.
+  template <detail::OtherThan<FurthestSite<D>, FurthestVoronoi<D>> Other>
+  explicit FurthestVoronoi(const Other&, const DiagramOptions& = {}) : FurthestVoronoi(refused<Other>()) {}
+  FurthestVoronoi(FurthestVoronoi&&) noexcept = default;
+  FurthestVoronoi& operator=(FurthestVoronoi&&) noexcept = default;
+
+  /// A deep copy. Throws Errc::out_of_memory.
+  FurthestVoronoi clone() const { return FurthestVoronoi(detail::Clone{}, *this); }
+
+  detail::Coordinates<D> vertex(std::size_t i) const { return detail::Coordinates<D>(Diagram::vertex(i)); }
+  detail::Coordinates<D> site(std::size_t region) const {
+    return detail::Coordinates<D>(Diagram::site(region));
+  }
+
+ private:
+  FurthestVoronoi(detail::Clone clone, const FurthestVoronoi& other) : Diagram(clone, other) {}
+  template <class Other>
+  static const FurthestSite<D>& refused() {
+    static_assert(detail::always_false<Other>,
+                  "a diagram of furthest sites is made from a delone::FurthestSite triangulation of the same "
+                  "D; the dual of a delone::Delaunay one is a delone::Voronoi diagram");
+  }
+};
+
+template <int D>
+FurthestVoronoi(const FurthestSite<D>&, const DiagramOptions& = {}) -> FurthestVoronoi<D>;
 
 }  // namespace delone

@@ -594,6 +594,9 @@ class Diagram:
 class Voronoi(Diagram):
     def __init__(self, points: Union[Delaunay, npt.ArrayLike], tolerance: float = 0.0) -> None: ...
 
+class FurthestVoronoi(Diagram):
+    def __init__(self, points: Union[FurthestSite, npt.ArrayLike], tolerance: float = 0.0) -> None: ...
+
 class PowerDiagram(Diagram):
     def __init__(
         self, points: Union[Regular, npt.ArrayLike], weights: Optional[npt.ArrayLike] = None, tolerance: float = 0.0

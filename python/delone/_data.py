@@ -18,7 +18,7 @@ __all__ = ["ComplexData", "Data", "HullData", "IntersectionData", "VoronoiData"]
 class Data:
     """Result as plain arrays, with the names that files use.
 
-    Each member is an attribute. docs/formats.md lists the members of each kind of result. Unknown members are None. Objects are
+    Each member is an attribute. docs/formats.md lists the members of each kind of result; `kind` names the kind, a str. Unknown members are None. Objects are
     immutable, and equal only to themselves. Index arrays are int32 (int64 in a build with 64-bit ids); all arrays are read-only.
 
     Parameters
@@ -79,14 +79,12 @@ class Data:
         Error
             If the file cannot be written, or the format cannot hold the result.
         ValueError
-            If arrays disagree, or the data are a diagram of furthest sites, which no file can hold.
+            If arrays disagree.
 
         Notes
         -----
         The file appears whole or not at all.
         """
-        if self._members.get("furthest_site"):
-            raise ValueError("a diagram of furthest sites, which no file can hold: save the FurthestSite triangulation")
         _core._write(self._kind, self._members, os.fsencode(path), format or "")
 
 
@@ -181,6 +179,9 @@ def values_of(given: Any, name: str) -> np.ndarray:
     return array.astype(dtype.newbyteorder("="), copy=False)
 
 
+_kinds_of_complexes = ("delaunay", "regular", "furthest_site", "alpha_complex", "alpha_boundary", "trimmed", "lower_hull", "upper_hull", "hull_boundary")
+
+
 class ComplexData(Data):
     """Triangulation as plain arrays, from any program.
 
@@ -202,11 +203,16 @@ class ComplexData(Data):
         The dimension k. By default that of the cells.
     column_names : list of str, optional
         The names of the d coordinates; "" for an unknown one.
+    kind : str, optional
+        What the cells are, which `check` proves: "delaunay", "regular", "furthest_site", "alpha_complex", "alpha_boundary", "trimmed",
+        "lower_hull", "upper_hull" or "hull_boundary". By default unknown.
+    tolerance : float, default 0.0
+        For a lower or upper hull: points may be as far as this beyond it along the last axis.
 
     Raises
     ------
     ValueError
-        If arrays have other shapes or types.
+        If arrays have other shapes or types, or for an unknown kind.
 
     Examples
     --------
@@ -221,7 +227,8 @@ class ComplexData(Data):
 
     def __init__(self, points: npt.ArrayLike, cells: npt.ArrayLike, neighbors: Optional[npt.ArrayLike] = None,
                  vertex_of_point: Optional[npt.ArrayLike] = None, weights: Optional[npt.ArrayLike] = None,
-                 affine_dimension: Optional[int] = None, column_names: Optional[List[str]] = None):
+                 affine_dimension: Optional[int] = None, column_names: Optional[List[str]] = None, *, kind: Optional[str] = None,
+                 tolerance: float = 0.0):
         points, cells = _reals(points, "points", (None, None)), _indices(cells, "cells", (None, None))
         n, d = points.shape
         if d < 1:
@@ -232,7 +239,10 @@ class ComplexData(Data):
         members = {"dimension": d, "affine_dimension": k, "points": points, "cells": cells,
                    "neighbors": None if neighbors is None else _indices(neighbors, "neighbors", cells.shape),
                    "vertex_of_point": None if vertex_of_point is None else _indices(vertex_of_point, "vertex_of_point", (n,)),
-                   "weights": None if weights is None else _reals(weights, "weights", (n,))}
+                   "weights": None if weights is None else _reals(weights, "weights", (n,)),
+                   "kind": kind if kind is None else text(kind, "kind"), "tolerance": float(tolerance)}
+        if kind is not None and kind not in _kinds_of_complexes:
+            raise ValueError(f"kind: {', '.join(_kinds_of_complexes)}; not {_core._represented(kind)}")
         if column_names is not None:
             members["column_names"] = [text(name, "column_names") for name in column_names]
             if len(members["column_names"]) != d:
@@ -288,7 +298,8 @@ class IntersectionData(Data):
 class VoronoiData(Data):
     """Voronoi or power diagram as plain arrays.
 
-    Returned by `Voronoi.to_data` and `read`. docs/formats.md lists the members.
+    Returned by `Voronoi.to_data` and `read`. docs/formats.md lists the members. The member `kind` is "voronoi", "power_diagram" or
+    "furthest_voronoi".
 
     Parameters
     ----------

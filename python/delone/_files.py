@@ -17,6 +17,7 @@ from ._frames import columns_of, framed
 _formats_of_results = ("npz", "json", "off")
 _max_stream_bytes = 1 << 32
 _levels = {"complex": 6, "hull": 5, "diagram": 5, "intersection": 3}
+_levels_of_kinds = {"alpha_complex": 3, "trimmed": 3, "alpha_boundary": 2, "hull_boundary": 5}
 
 
 def read(path, *, format: Optional[str] = None, columns: Optional[Sequence[Union[str, int]]] = None, threads: int = 0,
@@ -206,8 +207,6 @@ def save_diagram(self, path, format: Optional[str] = None, *, box: Optional[npt.
     called, to = names(self), _destination(path, format, qhull)
     if box is not None and (qhull is not None or _format_of(os.fsdecode(path), format) not in ("svg", "vtu")):
         raise ValueError("box: only svg and vtu hold what is cut off at a box")
-    if self._is_furthest and qhull is None:
-        raise ValueError("a diagram of furthest sites, which no file can hold: save the FurthestSite triangulation")
     self._save(*to, called, checked_box(box, self.dimension))
 
 
@@ -221,7 +220,7 @@ save_diagram.__doc__ = save.__doc__.replace("""    qhull : str, optional
 """, """    box : (low, high), optional
         Clip the regions of svg and vtu to this box, two arrays (d,). By default to `bounding_box()`.
     qhull : str, optional
-""").replace("are both given.", "are both given, if `box`\n        is given for another format, or for a diagram of furthest sites.")
+""").replace("are both given.", "are both given, or if `box`\n        is given for another format.")
 
 
 def to_data(self) -> Data:
@@ -237,8 +236,6 @@ def to_data(self) -> Data:
     save : Write these arrays to a file.
     """
     kind, members = self._data()
-    if kind == "diagram" and self._is_furthest:
-        members["furthest_site"] = True
     return from_core(kind, members, None if kind == "intersection" else names(self))
 
 
@@ -259,7 +256,8 @@ def alpha_to_data(self) -> ComplexData:
     weights = whole.weights if isinstance(whole, _core.Regular) else None
     number = np.full(whole.num_cells + 1, -1, dtype=self.cells.dtype)  # of each cell within the complex; the last entry is beyond the hull
     number[self.cell_numbers] = np.arange(len(self))
-    return ComplexData(whole.points, self.cells, number[whole.neighbors[self.cell_numbers]], weights=weights, column_names=names(whole) or None)
+    return ComplexData(whole.points, self.cells, number[whole.neighbors[self.cell_numbers]], weights=weights, column_names=names(whole) or None,
+                       kind="alpha_complex")
 
 
 def save_alpha(self, path, format: Optional[str] = None) -> None:
@@ -310,6 +308,8 @@ class CheckReport(NamedTuple):
     ties : int
         For triangulations the number of facets between two cells on one sphere (level 5), for hulls the number of ridges
         between two cells in one hyperplane (level 3).
+    not_examined : str
+        What the data say without holding a proof of it; empty for most data.
 
     Examples
     --------
@@ -328,6 +328,7 @@ class CheckReport(NamedTuple):
     vertices: Tuple[int, ...]
     halfspaces: Tuple[int, ...]
     ties: int
+    not_examined: str = ""
 
     def __bool__(self) -> bool:
         return self.ok
@@ -341,14 +342,12 @@ def _data_to_check(what: Any, cells: Optional[npt.ArrayLike], neighbors: Optiona
         return data._kind, data._members, False, False
     if neighbors is not None or weights is not None:
         raise TypeError("neighbors and weights are those of cells")
-    if isinstance(what, _core.LowerHull):
-        raise TypeError("a LowerHull is part of a hull: check the ConvexHull of its points")
-    if isinstance(what, Data) and what._members.get("furthest_site") or isinstance(what, _core.Diagram) and what._is_furthest:
-        raise TypeError("a diagram of furthest sites: check its FurthestSite triangulation")
+    if isinstance(what, _core.AlphaComplex):
+        what = what.to_data()
     if isinstance(what, Data):
         return what._kind, what._members, False, False
-    if isinstance(what, (_core.Triangulation, _core.ConvexHull, _core.HalfspaceIntersection, _core.Diagram)):
-        return (*what._data(), False, isinstance(what, _core.FurthestSite))
+    if isinstance(what, (_core.Triangulation, _core.ConvexHull, _core.LowerHull, _core.HalfspaceIntersection, _core.Diagram)):
+        return (*what._data(), False, False)
     if hasattr(what, "points") and hasattr(what, "simplices"):  # as scipy.spatial.Delaunay has them
         if np.shape(what.simplices)[1:] != (np.shape(what.points)[-1] + 1,):
             raise TypeError(f"a {type(what).__name__} whose simplices are no cells of a triangulation; check a delone.ConvexHull of its points")
@@ -367,8 +366,9 @@ def check(what: Any, cells: Optional[npt.ArrayLike] = None, *, neighbors: Option
     Parameters
     ----------
     what : object
-        A triangulation, hull, intersection or diagram of delone, what `read` has returned, or an object with `points` and
-        `simplices`, such as scipy.spatial.Delaunay. With `cells`: the points, an (n, d) array_like.
+        A triangulation, alpha complex, hull, lower hull, intersection or diagram of delone, what `read` has returned, or an object
+        with `points` and `simplices`, such as scipy.spatial.Delaunay. Its `kind`, if it has one, decides what is proved. With
+        `cells`: the points, an (n, d) array_like.
     cells : (m, k+1) array_like of int, optional
         The cells of a triangulation, as rows of the points.
     neighbors : (m, k+1) array_like of int, optional
@@ -377,15 +377,15 @@ def check(what: Any, cells: Optional[npt.ArrayLike] = None, *, neighbors: Option
         The weights of the points of a regular triangulation, with `cells`.
     level : int, optional
         The highest level to examine, from 1; by default the last. Triangulations: 1 storage, 2 incidence, 3 sphere, 4 volume,
-        5 local convexity, 6 completeness. Hulls: 1 storage, 2 incidence, 3 convexity, 4 support, 5 completeness. Diagrams:
-        1 storage, 2 regions, 3 vertices, 4 ridges, 5 rays. Intersections: 1 storage, 2 support, 3 completeness.
+        5 local convexity, 6 completeness; lower hulls alike. Alpha complexes: 1 storage, 2 incidence, 3 part. Hulls: 1 storage,
+        2 incidence, 3 convexity, 4 support, 5 completeness. Diagrams: 1 storage, 2 regions, 3 vertices, 4 ridges, 5 rays. Intersections: 1 storage, 2 support, 3 completeness.
     canonical : bool, default False
         Require that a triangulation breaks ties as delone does.
     any_orientation : bool, optional
         Take the cells of a triangulation as sets of vertices. By default true if `what` has `simplices`, whose order means
         nothing.
     furthest_site : bool, optional
-        Require of a triangulation that no point is outside the sphere of a cell. By default `what` tells.
+        Require of a triangulation of unknown kind that no point is outside the sphere of a cell. By default `what` tells.
     threads : int, default 0
         The most threads to use; 0: one per core if the data are large enough to gain by it.
 
@@ -418,8 +418,9 @@ def check(what: Any, cells: Optional[npt.ArrayLike] = None, *, neighbors: Option
     level = None if level is None else whole(level, "level", 1)
     threads = whole(threads, "threads")
     kind, members, are_sets, is_furthest = _data_to_check(what, cells, neighbors, weights)
-    if level is not None and level > _levels[kind]:
-        raise ValueError(f"level: 1 to {_levels[kind]}, not {level}")
+    most = _levels_of_kinds.get(members.get("kind"), _levels[kind])
+    if level is not None and level > most:
+        raise ValueError(f"level: 1 to {most}, not {level}")
     are_sets = are_sets if any_orientation is None else any_orientation
     is_furthest = is_furthest if furthest_site is None else furthest_site
     if kind != "complex" and (canonical or are_sets or is_furthest):

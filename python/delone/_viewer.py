@@ -86,5 +86,4 @@ def diagram(self, path=None, *, values=None, values_at=None, value_name="value",
 
 diagram.__doc__ = DOC.format(what="the regions", places="'points', 'regions'", more="",
                              arguments="\n    box : (low, high), optional\n        Clip regions to this box, two arrays (d,). By default to ``bounding_box()``.",
-                             errors="").replace("If the file cannot be written.", "If the file cannot be written, for more than three dimensions, "
-                                                "or for furthest sites.")
+                             errors="").replace("If the file cannot be written.", "If the file cannot be written, or for more than three dimensions.")

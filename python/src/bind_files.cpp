@@ -88,7 +88,8 @@ py::dict check_any(const std::string& kind, const py::dict& members, std::option
         "ok"_a = report.ok, "level"_a = report.reached.number, "name"_a = std::string(report.reached.name),
         "violation"_a = report.violation, "cells"_a = py::tuple(py::cast(report.cells)),
         "points"_a = py::tuple(py::cast(report.points)), "vertices"_a = py::tuple(py::cast(report.vertices)),
-        "halfspaces"_a = py::tuple(py::cast(report.halfspaces)), "ties"_a = report.ties);
+        "halfspaces"_a = py::tuple(py::cast(report.halfspaces)), "ties"_a = report.ties,
+        "not_examined"_a = report.not_examined);
   });
 }
 

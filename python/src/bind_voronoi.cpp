@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// delone.Voronoi and PowerDiagram.
+// delone.Voronoi, PowerDiagram and FurthestVoronoi.
 #include "arrays.hpp"
 #include "data_members.hpp"
 #include "docs_voronoi.hpp"
@@ -21,20 +21,11 @@ namespace {
 
 using namespace py::literals;
 
-/// The diagram of furthest sites: vertices, ridges and regions are found as for nearest sites; rays point in
-/// the other direction, and nothing is clipped.
-class FurthestVoronoi : public Diagram {
- public:
-  FurthestVoronoi(const FurthestSite<>& triangulation, const DiagramOptions& options)
-      : Diagram(triangulation, {}, options) {}
-};
-
 /// A diagram and the points that it belongs to.
 class HeldDiagram {
  public:
   HeldDiagram(const py::object& triangulation, double tolerance) : source_type_(py::type::of(triangulation)) {
     const auto& source = triangulation.cast<const HeldTriangulation&>();
-    is_furthest_ = source.form() == Form::furthest_site;
     threads_ = source.threads();
     columns_ = source.columns();
     index_ = source.row_index();
@@ -49,7 +40,8 @@ class HeldDiagram {
           if (source.form() == Form::regular)
             diagram_ = std::make_shared<PowerDiagram<>>(static_cast<const Regular<>&>(engine), options);
           else if (source.form() == Form::furthest_site)
-            diagram_ = std::make_shared<FurthestVoronoi>(static_cast<const FurthestSite<>&>(engine), options);
+            diagram_ =
+                std::make_shared<FurthestVoronoi<>>(static_cast<const FurthestSite<>&>(engine), options);
           else
             diagram_ = std::make_shared<Voronoi<>>(static_cast<const Delaunay<>&>(engine), options);
         });
@@ -67,24 +59,11 @@ class HeldDiagram {
   }
 
   const Diagram& diagram() const { return *diagram_; }
-  VoronoiData data() const {
-    VoronoiData data = diagram_->to_data();
-    if (is_furthest_)
-      for (double& x : data.ray_directions) x = 0 - x;
-    return data;
-  }
   std::size_t dimension() const { return static_cast<std::size_t>(diagram_->dimension()); }
   unsigned threads() const { return threads_; }
-  bool is_furthest() const { return is_furthest_; }
+  bool is_furthest() const { return diagram_->kind() == DataKind::furthest_voronoi; }
   const py::object& columns() const { return columns_; }
   const py::object& row_index() const { return index_; }
-  py::array ray_directions() const {
-    const auto there = diagram_->ray_directions();
-    if (!is_furthest_) return rows(there, diagram_->num_rays(), dimension());
-    std::vector<double> opposite(there.begin(), there.end());
-    for (double& x : opposite) x = 0 - x;
-    return rows_view(std::move(opposite), diagram_->num_rays(), dimension());
-  }
   py::array points() const {
     return rows_view(*points_, points_->size() / dimension(), dimension(), points_);
   }
@@ -102,7 +81,6 @@ class HeldDiagram {
  private:
   py::object source_type_, source_state_, columns_, index_;
   unsigned threads_ = 1;  // those of the triangulation
-  bool is_furthest_ = false;
   std::shared_ptr<const Diagram> diagram_;
   std::shared_ptr<const std::vector<double>> points_, weights_;
 };
@@ -111,6 +89,9 @@ class HeldVoronoi : public HeldDiagram {
   using HeldDiagram::HeldDiagram;
 };
 class HeldPower : public HeldDiagram {
+  using HeldDiagram::HeldDiagram;
+};
+class HeldFurthest : public HeldDiagram {
   using HeldDiagram::HeldDiagram;
 };
 
@@ -127,8 +108,6 @@ std::optional<Box> as_box(const py::object& object) {
 
 py::array region_volumes(const HeldDiagram& held, const py::object& object) {
   const std::optional<Box> box = as_box(object);
-  if (box && held.is_furthest())
-    throw Error(Errc::unsupported, "furthest-site diagrams are not cut off at boxes");
   Supervisor supervisor;
   return list_view(supervisor.run([&] {
     return box ? held.diagram().region_volumes(*box, held.threads())
@@ -140,21 +119,19 @@ std::string html_of_diagram(const HeldDiagram& held, const std::string& title,
                             std::vector<std::string> columns, const py::object& values, const std::string& at,
                             const std::string& name, const py::object& object) {
   const std::optional<Box> box = as_box(object);
-  if (held.is_furthest()) throw Error(Errc::unsupported, "furthest-site diagrams are not cut off at boxes");
   const HtmlOptions options = html_options(title, std::move(columns), values, at, name);
   Supervisor supervisor;
   return supervisor.run([&] { return to_html(held.diagram(), options, box); });
 }
 
-/// A diagram of furthest sites is not cut off at a box: there are no pictures of it.
 void save(const HeldDiagram& held, const std::string& path, const std::string& format,
           std::optional<std::string> qhull, std::vector<std::string> columns, const py::object& object) {
   const SaveArguments to{path, format, std::move(qhull), std::move(columns)};
   const std::optional<Box> box = as_box(object);
   Supervisor supervisor;
   supervisor.run([&] {
-    if (to.qhull || held.is_furthest())
-      to.save(held.diagram(), [&] { return held.data(); });
+    if (to.qhull)
+      write_qhull(to.path, held.diagram(), *to.qhull);
     else
       write(to.path, held.diagram(), box, to.format, to.column_names);
   });
@@ -253,7 +230,10 @@ void bind_voronoi(py::module_& module) {
           "ray_vertices", [](const HeldDiagram& h) { return h.list(h.diagram().ray_vertices()); },
           "The vertex from which each unbounded edge starts, (rays,).")
       .def_property_readonly(
-          "ray_directions", &HeldDiagram::ray_directions,
+          "ray_directions",
+          [](const HeldDiagram& h) {
+            return h.rows(h.diagram().ray_directions(), h.diagram().num_rays(), h.dimension());
+          },
           "The direction of each unbounded edge, (rays, d) unit vectors: outward, for furthest sites inward.")
       .def_property_readonly(
           "ray_points",
@@ -281,7 +261,7 @@ void bind_voronoi(py::module_& module) {
       .def("_data",
            [](const HeldDiagram& h) {
              Supervisor supervisor;
-             return to_python(supervisor.run([&] { return h.data(); }));
+             return to_python(supervisor.run([&] { return h.diagram().to_data(); }));
            })
       .def("_save", &save, "path"_a, "format"_a, "qhull"_a, "columns"_a, "box"_a)
       .def("region_volumes", &region_volumes, "box"_a = py::none(), text(docs::voronoi::region_volumes))
@@ -308,6 +288,8 @@ void bind_voronoi(py::module_& module) {
              const auto& held = source.cast<const HeldTriangulation&>();
              if (held.form() == Form::regular)
                throw py::type_error("the diagram of a Regular triangulation is a PowerDiagram");
+             if (held.form() == Form::furthest_site)
+               throw py::type_error("the diagram of a FurthestSite triangulation is a FurthestVoronoi");
              return std::make_unique<HeldVoronoi>(source, tolerance);
            }),
            "points"_a, "tolerance"_a = 0.0)
@@ -328,6 +310,20 @@ void bind_voronoi(py::module_& module) {
       .def_property_readonly("weights", &HeldDiagram::weights, "The weight of each row, (n,) float64.")
       .def("__repr__", [](const HeldPower& h) { return repr(h, "PowerDiagram"); })
       .def("__reduce__", [](const py::object& self) { return self.cast<const HeldPower&>().recipe(self); });
+
+  py::class_<HeldFurthest, HeldDiagram>(module, "FurthestVoronoi", text(docs::voronoi::furthest))
+      .def(py::init([](const py::object& points, double tolerance) {
+             const py::object source = py::isinstance<HeldTriangulation>(points)
+                                           ? points
+                                           : py::module_::import("delone").attr("FurthestSite")(points);
+             if (source.cast<const HeldTriangulation&>().form() != Form::furthest_site)
+               throw py::type_error("a diagram of furthest sites is made from a FurthestSite triangulation");
+             return std::make_unique<HeldFurthest>(source, tolerance);
+           }),
+           "points"_a, "tolerance"_a = 0.0)
+      .def("__repr__", [](const HeldFurthest& h) { return repr(h, "FurthestVoronoi"); })
+      .def("__reduce__",
+           [](const py::object& self) { return self.cast<const HeldFurthest&>().recipe(self); });
 }
 
 }  // namespace delone::python

@@ -10,6 +10,7 @@
 #include <pybind11/stl.h>
 
 #include <delone/data.hpp>
+#include <delone/printable.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -43,6 +44,8 @@ void for_each_member(Data& data, Visit visit) {
   visit("neighbors", data.neighbors, corners, true);
   visit("vertex_of_point", data.vertex_of_point);
   visit("weights", data.weights);
+  visit("tolerance", data.tolerance);
+  visit("kind", data.kind);
 }
 
 template <class Data, class Visit>
@@ -69,6 +72,7 @@ void for_each_member(Data& data, Visit visit) {
   visit("axes", data.axes);
   visit("tolerance", data.tolerance);
   visit("max_distance", data.max_distance);
+  visit("kind", data.kind);
 }
 
 template <class Data, class Visit>
@@ -102,6 +106,7 @@ void for_each_member(Data& data, Visit visit) {
   visit("lineality", data.lineality, d, true);
   visit("dual_points", data.dual_points, d, true);
   visit("dual_equations", data.dual_equations, d + 1, true);
+  visit("kind", data.kind);
 }
 
 template <class Data, class Visit>
@@ -124,6 +129,7 @@ void for_each_member(Data& data, Visit visit) {
   visit("ray_directions", data.ray_directions, d, true);
   visit("ray_points", data.ray_points, k, true);
   visit("tolerance", data.tolerance);
+  visit("kind", data.kind);
 }
 
 /// Puts members into a dictionary, as views of data that `owner` keeps alive.
@@ -144,6 +150,10 @@ class ToDict {
   template <class Number>
   requires std::is_arithmetic_v<Number>
   void operator()(const char* name, Number number) const { out_[name] = number; }
+  /// None if it is unknown.
+  void operator()(const char* name, DataKind kind) const {
+    out_[name] = kind == DataKind::unknown ? py::object(py::none()) : py::str(std::string(name_of(kind)));
+  }
   void operator()(const char* name, IntersectionState state) const {
     constexpr const char* names[] = {"full", "flat", "empty"};
     out_[name] = names[static_cast<std::size_t>(state)];
@@ -210,6 +220,15 @@ class FromDict {
   void operator()(const char* name, Number& number) const {
     if (const py::object given = find(name); !given.is_none()) number = given.cast<Number>();
   }
+  void operator()(const char* name, DataKind& kind) const {
+    const py::object given = find(name);
+    if (given.is_none()) return;
+    const auto text = given.cast<std::string>();
+    const auto known = find_data_kind(text);
+    if (!known) throw py::value_error(std::string(name) + ": " + in_quotes(text) + " is no kind of data");
+    kind = *known;
+  }
+  void operator()(const char*, const DataKind&) const {}  // of a type of one kind
   void operator()(const char* name, IntersectionState& state) const {
     const py::object given = find(name);
     if (given.is_none()) return;

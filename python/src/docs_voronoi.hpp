@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Docstrings: Voronoi and power diagrams. In the form of numpydoc; text() removes the line break in front.
+// Docstrings: diagrams. In the form of numpydoc; text() removes the line break in front.
 #pragma once
 
 #include "docstring.hpp"
@@ -7,7 +7,7 @@
 namespace delone::python::docs::voronoi {
 
 inline constexpr const char* diagram = R"(
-Common base of Voronoi and power diagrams.
+Common base of `Voronoi`, `PowerDiagram` and `FurthestVoronoi`.
 
 k is the affine dimension of the points: those of a k-flat have their diagram inside the flat. v is the number of vertices, r that
 of ridges. Which regions, ridges and vertices there are is exact, and then simplified by the tolerance if it is not 0. In lists of
@@ -90,7 +90,7 @@ Raises
 InputError
     If the box does not have finite limits low < high.
 Error
-    If a box is given and d > 12, or the diagram is one of furthest sites.
+    If a box is given and d > 12.
 
 Notes
 -----
@@ -138,8 +138,8 @@ rows of their sites.
 
 Parameters
 ----------
-points : (n, d) array_like, pandas.DataFrame, Delaunay or FurthestSite
-    The points, or their triangulation. The diagram of a `FurthestSite` has the regions that are not further from any other.
+points : (n, d) array_like, pandas.DataFrame or Delaunay
+    The points, or their triangulation.
 tolerance : float, default 0.0
     A distance >= 0: smaller vertices and ridges are left out, see Notes. 0 is exact.
 
@@ -150,11 +150,12 @@ InputError
 ValueError
     If the points have another shape.
 TypeError
-    If `points` is a `Regular` triangulation.
+    If `points` is another triangulation.
 
 See Also
 --------
 PowerDiagram : The dual of a regular triangulation.
+FurthestVoronoi : The dual of a furthest-site triangulation.
 
 Notes
 -----
@@ -180,6 +181,39 @@ Examples
 array([[1., 1.]])
 >>> vor.num_regions, vor.num_ridges
 (4, 4))";
+
+inline constexpr const char* furthest = R"(
+Diagram of furthest sites of points in any dimension.
+
+The region of each extreme point consists of the points that are not further from any other. All regions are unbounded, and
+`ray_directions` point inward. The other points are hidden, and have no region.
+
+Parameters
+----------
+points : (n, d) array_like, pandas.DataFrame or FurthestSite
+    The points, or their triangulation.
+tolerance : float, default 0.0
+    A distance >= 0: smaller vertices and ridges are left out, see `Voronoi`. 0 is exact.
+
+Raises
+------
+InputError
+    If a number is NaN or infinite, or the tolerance is negative, not finite, or larger than the longest side of the bounding box.
+ValueError
+    If the points have another shape.
+TypeError
+    If `points` is another triangulation.
+
+See Also
+--------
+Voronoi : The diagram of nearest sites.
+
+Examples
+--------
+>>> import delone
+>>> diagram = delone.FurthestVoronoi([[0, 0], [2, 0], [0, 2], [2, 2], [1, 0.5]])
+>>> diagram.num_regions, bool(diagram.is_bounded.any()), int(diagram.point_region[4])
+(4, False, -1))";
 
 inline constexpr const char* power = R"(
 Power diagram of weighted points in any dimension.

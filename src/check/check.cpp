@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// check() of a triangulation. Here the levels that look at arrays only, storage (1) and
-// completeness (6); incidence and sphere (2, 3) are in check_topology.cpp, the exact geometry (4, 5) in
-// check_geometry.cpp.
+// The levels of check() of a triangulation that look at arrays only, storage (1) and completeness (6);
+// incidence and sphere (2, 3) are in check_topology.cpp, the exact geometry (4, 5) in check_geometry.cpp.
+// What data are, and so which levels they have, check_kinds.cpp decides.
 #include <delone/check.hpp>
 
 #include "base/parallel_parts.hpp"
@@ -28,7 +28,7 @@ std::vector<SignedIndex> facet_vertices(std::span<const SignedIndex> cell, std::
   return rows;
 }
 
-void check_storage(const ComplexData& data, bool furthest, unsigned threads) {
+void check_storage(const ComplexData& data, bool may_hide, unsigned threads) {
   const int d = data.dimension, k = data.affine_dimension;
   if (d < 1) throw Violation{fmt::format("the dimension is {}, less than 1", d)};
   if (k < -1 || k > d) throw Violation{fmt::format("the affine dimension is {}, outside -1...{}", k, d)};
@@ -49,7 +49,6 @@ void check_storage(const ComplexData& data, bool furthest, unsigned threads) {
     throw Violation{
         fmt::format("{} entries in vertex_of_point for {} points", data.vertex_of_point.size(), n)};
 
-  if (furthest && !data.weights.empty()) throw Violation{"a furthest-site triangulation has no weights"};
   if (!data.weights.empty() && data.weights.size() != n)
     throw Violation{fmt::format("{} weights for {} points", data.weights.size(), n)};
 
@@ -90,7 +89,7 @@ void check_storage(const ComplexData& data, bool furthest, unsigned threads) {
                                   i / corners, data.neighbors[i], m),
                       {i / corners}};
   for (std::size_t row = 0; row < data.vertex_of_point.size(); ++row)
-    if (data.vertex_of_point[row] < (data.weights.empty() && !furthest && !data.is_removed(row) ? 0 : -1) ||
+    if (data.vertex_of_point[row] < (data.weights.empty() && !may_hide && !data.is_removed(row) ? 0 : -1) ||
         (data.vertex_of_point[row] >= 0 && static_cast<std::size_t>(data.vertex_of_point[row]) >= n))
       throw Violation{fmt::format("vertex_of_point sends point {} to row {}, but there are {} points", row,
                                   data.vertex_of_point[row], n),
@@ -203,7 +202,8 @@ void check_completeness(const Examined& examined, const Volumes& volumes, bool c
   check_hidden(examined, volumes, hidden, canonical);
 }
 
-std::string no_fault_of_a_part(int level) {
+std::string no_fault_of_a_part(const ComplexData& data, int level) {
+  if (data.kind != DataKind::unknown) return {};
   return fmt::format(
       "; if the cells are a part of a triangulation, as those of an alpha complex are, this is no fault: a "
       "part has to pass the levels up to {} only",
@@ -222,32 +222,32 @@ int spanned_dimension(const ComplexData& data, int most) {
   return hull.dimension();
 }
 
-/// What data may be that are no triangulation of their points, though delone wrote them; empty if the
+/// What data that do not say what they are may be, if they are no triangulation of their points; empty if the
 /// violation is none of those that they have. REQUIRES that level 1 is passed.
 std::string other_meaning(const ComplexData& data, const CheckReport& report) {
+  if (data.kind != DataKind::unknown) return {};
   const int k = data.affine_dimension;
   if (k < data.dimension && spanned_dimension(data, k + 1) > k)
     return fmt::format(
         "; these cells of dimension {} do not lie in one flat: they are a surface, as the lower hull of "
         "points or the boundary of an alpha complex, which has to pass level 1 only",
         k);
-  return report.reached.number == 3 ? no_fault_of_a_part(3) : "";
+  return report.reached.number == 3 ? no_fault_of_a_part(data, 3) : "";
 }
 
 }  // namespace
-}  // namespace internal
 
-CheckReport check(const ComplexData& data, const CheckOptions& options) {
-  using namespace internal;
-  Examined examined{data, static_cast<std::size_t>(std::max(0, data.affine_dimension + 1)),
-                    options.furthest_site, options.threads};
+CheckReport check_lifted(const ComplexData& data, const CheckOptions& options, Lift lift,
+                         std::span<const CheckLevel> levels) {
+  Examined examined{data, static_cast<std::size_t>(std::max(0, data.affine_dimension + 1)), lift,
+                    options.threads};
   Volumes volumes;
   // No points, no cells: the empty complex is a sphere of dimension −1, and nothing else is left to hold.
   const bool is_empty = data.affine_dimension < 0;
-  CheckReport found = run_levels<ComplexData>(
-      options,
+  CheckReport found = run_levels(
+      levels, options,
       [&](CheckReport&) {
-        check_storage(data, options.furthest_site, options.threads);
+        check_storage(data, lift != Lift::paraboloid, options.threads);
         examined.weighted_rows = weighted_rows(data);
       },
       [&](CheckReport&) {
@@ -267,4 +267,5 @@ CheckReport check(const ComplexData& data, const CheckOptions& options) {
   return found;
 }
 
+}  // namespace internal
 }  // namespace delone

@@ -18,12 +18,14 @@
 // convex; the region stays, and coplanar hull facets stay coplanar and are decided by the facets inside. So
 // `canonical` asks for the perturbed sign at inner facets and for nothing at the hull.
 //
-// All of that holds for other lifts, too: |x|² less weights, and −|x|², for which the empty-sphere property
-// is that no point is outside the sphere.
+// All of that holds for other lifts, too: |x|² less weights; −|x|², for which the empty-sphere property is
+// that no point is outside the sphere; and any heights, for which it is that no point is below the hyperplane
+// of a cell.
 #include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
 #include "base/random.hpp"
 #include "check/check_stages.hpp"
+#include "hull/cell_height.hpp"
 #include "kernel/predicates.hpp"
 
 #include <fmt/format.h>
@@ -44,7 +46,10 @@ class Geometry {
   Geometry(const Examined& examined, const std::vector<int>& axes)
       : examined_(examined),
         flat_{examined.data.dimension, axes, examined.form()},
-        points_(examined.corners) {}
+        points_(examined.corners) {
+    lifted_axes_ = axes;
+    lifted_axes_.push_back(examined.data.dimension);
+  }
 
   // The orientation of cell c.
   Sign orientation(std::size_t c) {
@@ -57,8 +62,10 @@ class Geometry {
     points_[i] = examined_.point(row);
     return orientation_of_gathered();
   }
+  // With heights, the side of the hyperplane: + above.
   Sign in_sphere(std::size_t c, Sign orientation, SignedIndex row) {
     gather(c);
+    if (examined_.lift == Lift::heights) return above_hyperplane(row) * orientation;
     return kernel::in_sphere(flat_, points_, orientation, examined_.point(row));
   }
   Sign in_sphere_perturbed(std::size_t c, Sign orientation, SignedIndex row) {
@@ -66,7 +73,34 @@ class Geometry {
     return kernel::in_sphere_perturbed(flat_, points_, orientation, examined_.point(row));
   }
 
+  // Whether the height of a point is farther below that of the hyperplane of the cell than the tolerance of
+  // the data.
+  bool is_far_below(std::size_t c, SignedIndex row) {
+    if (examined_.data.tolerance == 0) return true;
+    // The composition on the axes, and the height.
+    const std::size_t width = lifted_axes_.size();
+    std::vector<double> rows;
+    const auto add = [&](SignedIndex one) {
+      for (const int axis : lifted_axes_) rows.push_back(examined_.point(one)[axis]);
+    };
+    for (const SignedIndex vertex : examined_.cell(c)) add(vertex);
+    add(row);
+    std::vector<const double*> corners;
+    for (std::size_t i = 0; i < examined_.corners; ++i) corners.push_back(rows.data() + i * width);
+    return HeightOfPlane(corners, rows.data() + examined_.corners * width, static_cast<int>(width))
+        .exceeds(examined_.data.tolerance);
+  }
+
  private:
+  // det(p_1 − p_0, …, q − p_0) with the heights as last coordinates is the determinant of the compositions
+  // times the height of q above the hyperplane.
+  Sign above_hyperplane(SignedIndex row) {
+    points_.push_back(examined_.point(row));
+    const Sign sign =
+        kernel::orientation(kernel::Flat{static_cast<int>(examined_.row_size()), lifted_axes_}, points_);
+    points_.pop_back();
+    return sign;
+  }
   void gather(std::size_t c) {
     const auto cell = examined_.cell(c);
     for (std::size_t i = 0; i < cell.size(); ++i) points_[i] = examined_.point(cell[i]);
@@ -78,8 +112,22 @@ class Geometry {
 
   const Examined& examined_;
   kernel::Flat flat_;
+  std::vector<int> lifted_axes_;
   std::vector<const double*> points_;
 };
+
+/// "inside the sphere", or what takes its place.
+const char* conflict_text(const Examined& examined) {
+  switch (examined.lift) {
+    case Lift::paraboloid:
+      return "inside the sphere";
+    case Lift::inverted:
+      return "outside the sphere";
+    case Lift::heights:
+      break;
+  }
+  return examined.data.kind == DataKind::upper_hull ? "above the hyperplane" : "below the hyperplane";
+}
 
 // Axes on which the flat of the cells projects one-to-one.
 std::vector<int> axes_of_cells(const Examined& examined) {
@@ -179,8 +227,8 @@ std::size_t check_inner_facets(const Examined& examined, const Volumes& volumes,
     const SignedIndex apex = b[mirror(a, i, b)];
     const Sign sign = geometry.in_sphere(c, volumes.orientation[c], apex);
     if (sign == Sign::negative)
-      throw Violation{fmt::format("the vertex {} of cell {} {} is {} the sphere of cell {} {}", apex, other,
-                                  braces(b), examined.furthest ? "outside" : "inside", c, braces(a)),
+      throw Violation{fmt::format("the vertex {} of cell {} {} is {} of cell {} {}", apex, other, braces(b),
+                                  conflict_text(examined), c, braces(a)),
                       {c, other},
                       {static_cast<std::size_t>(apex)}};
     if (sign == Sign::positive) return;
@@ -189,7 +237,7 @@ std::size_t check_inner_facets(const Examined& examined, const Volumes& volumes,
       throw Violation{
           fmt::format(
               "the vertex {} of cell {} {} is on the sphere of cell {} {}, and {} when ties are perturbed",
-              apex, other, braces(b), c, braces(a), examined.furthest ? "outside" : "inside"),
+              apex, other, braces(b), c, braces(a), examined.furthest() ? "outside" : "inside"),
           {c, other},
           {static_cast<std::size_t>(apex)}};
   });
@@ -210,7 +258,7 @@ void check_hull_ridges(const Examined& examined, const Volumes& volumes) {
       throw Violation{
           fmt::format(
               "the hull is not convex: the vertex {} of cell {} is beyond the hull facet {} of cell {}{}",
-              apex, examined.hull[next].first, braces(a), c, no_fault_of_a_part(5)),
+              apex, examined.hull[next].first, braces(a), c, no_fault_of_a_part(examined.data, 5)),
           {c, examined.hull[next].first},
           {static_cast<std::size_t>(apex)}};
   });
@@ -235,7 +283,7 @@ void check_covered_once(const Examined& examined, const Volumes& volumes) {
       throw Violation{
           fmt::format("the hull is not convex: cell 0 {} is not behind the hull facet {} of cell {}{}",
                       braces(examined.cell(0)), braces(facet_vertices(examined.cell(c), i)), c,
-                      no_fault_of_a_part(5)),
+                      no_fault_of_a_part(examined.data, 5)),
           {0, c}};
   });
 
@@ -302,7 +350,14 @@ void check_hidden(const Examined& examined, const Volumes& volumes, std::span<co
                         {at, static_cast<std::size_t>(vertex)}};
     const Sign sign = canonical ? geometry.in_sphere_perturbed(c, volumes.orientation[c], row)
                                 : geometry.in_sphere(c, volumes.orientation[c], row);
-    if (sign == Sign::negative)
+    if (sign == Sign::negative && examined.lift == Lift::heights) {
+      if (geometry.is_far_below(c, row))
+        throw Violation{fmt::format("point {} is {} of cell {} {}{}", at, conflict_text(examined), c,
+                                    braces(examined.cell(c)),
+                                    examined.data.tolerance > 0 ? ", farther than the tolerance" : ""),
+                        {c},
+                        {at}};
+    } else if (sign == Sign::negative)
       throw Violation{fmt::format("point {} is given as hidden, but in conflict with cell {} {}{}", at, c,
                                   braces(examined.cell(c)), canonical ? ", ties perturbed" : ""),
                       {c},

@@ -16,12 +16,19 @@
 
 namespace delone::internal {
 
+/// What points are lifted to: their cells are the lower hull of that.
+enum class Lift {
+  paraboloid,  ///< |x|², less the weight if there are weights: no point is inside the sphere of a cell
+  inverted,    ///< −|x|²: no point is outside the sphere of a cell
+  heights,     ///< what stands in the place of weights: points are compositions
+};
+
 /// The cells, plus what the topological stages derive from them.
 struct Examined {
   const ComplexData& data;
-  std::size_t corners;    ///< k+1, vertices of a cell
-  bool furthest = false;  ///< whether spheres shall have all points inside, not outside
-  unsigned threads = 1;   ///< as CheckOptions::threads
+  std::size_t corners;  ///< k+1, vertices of a cell
+  Lift lift = Lift::paraboloid;
+  unsigned threads = 1;  ///< as CheckOptions::threads
   /// For weighted points: each point and then its weight. Filled after level 1.
   std::vector<double> weighted_rows{};
 
@@ -39,10 +46,11 @@ struct Examined {
     return {hull_vertices.data() + h * (corners - 1), corners - 1};
   }
   bool weighted() const { return !data.weights.empty(); }
+  bool furthest() const { return lift == Lift::inverted; }
   /// Whether points may be neither vertices nor equal to one.
-  bool may_hide() const { return weighted() || furthest; }
+  bool may_hide() const { return weighted() || furthest(); }
   kernel::RowForm form() const {
-    return furthest     ? kernel::RowForm::furthest_point
+    return furthest()   ? kernel::RowForm::furthest_point
            : weighted() ? kernel::RowForm::weighted_point
                         : kernel::RowForm::point;
   }
@@ -63,7 +71,8 @@ std::string braces(std::span<const SignedIndex> rows);
 std::vector<SignedIndex> facet_vertices(std::span<const SignedIndex> cell, std::size_t opposite);
 
 /// For the message of a violation that a part of a triangulation has at this level though nothing is wrong.
-std::string no_fault_of_a_part(int level);
+/// Empty for data that say what they are.
+std::string no_fault_of_a_part(const ComplexData& data, int level);
 
 /// Pairs equal facets: for each of the m·corners facets (cell, opposite vertex) the cell on its other side,
 /// or −1. Vertex sets are hashed, then compared exactly; expected O(m·corners²). Throws Violation when three
@@ -93,7 +102,8 @@ struct Volumes {
 /// Each point followed by its weight; nothing where points have none.
 std::vector<double> weighted_rows(const ComplexData& data);
 
-void check_storage(const ComplexData& data, bool furthest = false, unsigned threads = 1);
+/// `may_hide`: whether rows may have no vertex though there are no weights.
+void check_storage(const ComplexData& data, bool may_hide = false, unsigned threads = 1);
 void check_incidence(Examined& examined, bool oriented);
 void check_sphere(Examined& examined);
 Volumes check_volume(const Examined& examined, bool oriented);
@@ -106,5 +116,9 @@ std::size_t check_local_convexity(const Examined& examined, const Volumes& volum
 void check_hidden(const Examined& examined, const Volumes& volumes, std::span<const std::size_t> rows,
                   bool canonical);
 void check_completeness(const Examined& examined, const Volumes& volumes, bool canonical);
+
+/// All six levels, under these names.
+CheckReport check_lifted(const ComplexData& data, const CheckOptions& options, Lift lift,
+                         std::span<const CheckLevel> levels);
 
 }  // namespace delone::internal

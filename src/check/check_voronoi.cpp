@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// check() of a Voronoi or power diagram: the arrays against the diagram of their points, made anew from a
+// check() of a diagram: the arrays against the diagram of their points, made anew from a
 // triangulation that check() has examined.
 //
 // A Voronoi vertex is known by the regions it is in: the sites nearest to it are the corners of one Delaunay
@@ -8,10 +8,10 @@
 // exactly, and all else is compared as it stands.
 #include "base/progress_meter.hpp"
 #include "check/levels.hpp"
+#include "check/remade.hpp"
 
 #include <delone/check.hpp>
 #include <delone/predicates.hpp>
-#include <delone/regular.hpp>
 #include <delone/voronoi.hpp>
 
 #include <algorithm>
@@ -22,6 +22,7 @@
 #include <string>
 #include <tuple>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace delone {
@@ -70,7 +71,7 @@ class DiagramChecker {
     return internal::run_levels<VoronoiData>(
         options, [&](CheckReport&) { check_storage(); },
         [&](CheckReport&) {
-          make_diagram();
+          make_diagram(options);
           check_regions();
         },
         [&](CheckReport&) { check_vertices(); }, [&](CheckReport&) { check_ridges(); },
@@ -78,14 +79,17 @@ class DiagramChecker {
   }
 
  private:
+  void check_kind() const;
   void check_storage() const;
-  void make_diagram();
+  void make_diagram(const CheckOptions& options);
   void check_regions();
   void check_vertices() const;
   void check_ridges() const;
   void check_rays() const;
   void check_list(const char* what, std::size_t i, std::span<const SignedIndex> items) const;
 
+  bool is_furthest() const { return data_.kind == DataKind::furthest_voronoi; }
+  const char* nearest() const { return is_furthest() ? "furthest from" : "nearest to"; }
   std::size_t k() const { return static_cast<std::size_t>(std::max(data_.affine_dimension, 0)); }
   std::span<const SignedIndex> region(std::size_t i) const {
     return list(data_.region_vertices, data_.region_offsets, i);
@@ -108,9 +112,8 @@ class DiagramChecker {
 
   const VoronoiData& data_;
   const std::size_t d_;
-  std::optional<Voronoi<>> voronoi_;  // or
-  std::optional<PowerDiagram<>> power_;
-  const Diagram* diagram_ = nullptr;    // one of these
+  std::variant<std::monostate, Voronoi<>, PowerDiagram<>, FurthestVoronoi<>> any_;
+  const Diagram* diagram_ = nullptr;    // the diagram made anew
   std::vector<SignedIndex> vertex_of_;  // of the diagram, by vertex of the file
   std::vector<Sites> sites_of_;         // by vertex of the diagram
 };
@@ -127,7 +130,26 @@ void DiagramChecker::check_list(const char* what, std::size_t i, std::span<const
     throw Violation{text_of(what, i) + ": -1 is not first"};
 }
 
+void DiagramChecker::check_kind() const {
+  const std::string what(description_of(data_.kind));
+  switch (data_.kind) {
+    case DataKind::unknown:
+      break;
+    case DataKind::voronoi:
+    case DataKind::furthest_voronoi:
+      if (!data_.weights.empty()) throw Violation{what + " has no weights, and these data have some"};
+      break;
+    case DataKind::power_diagram:
+      if (data_.weights.empty() && data_.num_points() > 0)
+        throw Violation{what + " has weights, and these data have none"};
+      break;
+    default:
+      throw Violation{"the data say that they are " + what + ", which has other arrays"};
+  }
+}
+
 void DiagramChecker::check_storage() const {
+  check_kind();
   const VoronoiData& a = data_;
   if (a.dimension < 1 || a.affine_dimension < -1 || a.affine_dimension > a.dimension)
     throw Violation{"impossible dimensions"};
@@ -171,33 +193,18 @@ void DiagramChecker::check_storage() const {
   in_range("ray_vertices", a.ray_vertices, a.num_vertices(), 0);
 }
 
-void DiagramChecker::make_diagram() {
-  const auto examined = [](const Triangulation& triangulation) {
-    const CheckReport report = delone::check(triangulation.to_data());
-    if (!report.ok)
-      throw Error(Errc::unsupported,
-                  "the triangulation of the points is wrong, a fault of delone: " + report.violation);
-  };
-  // Rows that were removed get some point, and are removed.
-  std::vector<double> points = data_.points, weights = data_.weights;
-  std::vector<std::size_t> removed;
-  for (std::size_t row = 0; row < data_.num_points(); ++row) {
-    if (!data_.is_removed(row)) continue;
-    removed.push_back(row);
-    std::fill_n(points.begin() + static_cast<std::ptrdiff_t>(row * d_), d_, 0.0);
-    if (!weights.empty()) weights[row] = 0;
-  }
-  if (weights.empty()) {
-    Delaunay<> triangulation(points, data_.dimension);
-    triangulation.remove(removed);
-    examined(triangulation);
-    diagram_ = &voronoi_.emplace(triangulation, DiagramOptions{.tolerance = data_.tolerance});
-  } else {
-    Regular<> triangulation(points, weights, data_.dimension);
-    triangulation.remove(removed);
-    examined(triangulation);
-    diagram_ = &power_.emplace(triangulation, DiagramOptions{.tolerance = data_.tolerance});
-  }
+void DiagramChecker::make_diagram(const CheckOptions& options) {
+  const DiagramOptions how{.tolerance = data_.tolerance, .threads = options.threads};
+  const TriangulationKind kind = is_furthest()           ? TriangulationKind::furthest_site
+                                 : data_.weights.empty() ? TriangulationKind::delaunay
+                                                         : TriangulationKind::regular;
+  const internal::AnyTriangulation made = internal::remade(data_, kind, options.threads);
+  if (const auto* const delaunay = std::get_if<Delaunay<>>(&made))
+    diagram_ = &any_.emplace<Voronoi<>>(*delaunay, how);
+  else if (const auto* const regular = std::get_if<Regular<>>(&made))
+    diagram_ = &any_.emplace<PowerDiagram<>>(*regular, how);
+  else
+    diagram_ = &any_.emplace<FurthestVoronoi<>>(std::get<FurthestSite<>>(made), how);
 }
 
 void DiagramChecker::check_regions() {
@@ -253,7 +260,9 @@ void DiagramChecker::check_regions() {
                       (found == vertex_with.end() ? ": the sites of its regions, "
                                                   : ": another vertex has the same regions, ") +
                       text_of(sites_here[v]) +
-                      (found == vertex_with.end() ? ", are not all that are nearest to a point" : "")};
+                      (found == vertex_with.end()
+                           ? std::string(", are not all that are ") + nearest() + " a point"
+                           : std::string())};
     vertex_of_.push_back(std::exchange(found->second, -1));
   }
   if (data_.num_vertices() != diagram.num_vertices())
@@ -359,11 +368,13 @@ void DiagramChecker::check_rays() const {
     if (found == rays.end())
       throw Violation{
           text_of("ray", i) +
-          ": no unbounded edge from its vertex is equally near to its points, or another ray is that edge"};
+          ": no unbounded edge from its vertex is equally far from its points, or another ray is that edge"};
     for (std::size_t j = 0; j < d_; ++j)
       if (!(std::abs(data_.ray_directions[i * d_ + j] - diagram.ray_directions()[found->second * d_ + j]) <=
             0x1p-30))
-        throw Violation{text_of("ray", i) + ": not the outward direction across its points"};
+        throw Violation{text_of("ray", i) + (is_furthest()
+                                                 ? ": not the inward direction across its points"
+                                                 : ": not the outward direction across its points")};
     rays.erase(found);
   }
   if (rays.empty()) return;

@@ -12,6 +12,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -54,14 +55,39 @@ DELONE_HIDDEN inline constexpr std::array<CheckLevel, 5> levels_of<VoronoiData>{
      {4, "ridges", "the pairs of regions with a common facet, its vertices"},
      {5, "rays", "the unbounded edges, their sites and directions"}}};
 
+// Those of ComplexData that are no Delaunay or regular triangulation.
+DELONE_HIDDEN inline constexpr std::array<CheckLevel, 6> levels_of_furthest_site{
+    {levels_of<ComplexData>[0],
+     levels_of<ComplexData>[1],
+     levels_of<ComplexData>[2],
+     levels_of<ComplexData>[3],
+     { 5, "local convexity", "no vertex outside the sphere of a cell, the hull is convex" },
+     { 6, "completeness", "every point is a vertex, a duplicate of one, or hidden" }}};
+DELONE_HIDDEN inline constexpr std::array<CheckLevel, 6> levels_of_lower_hull{
+    {levels_of<ComplexData>[0],
+     levels_of<ComplexData>[1],
+     levels_of<ComplexData>[2],
+     { 4, "volume", "every cell has positive volume over the compositions" },
+     { 5, "local convexity", "no vertex below the hyperplane of a cell, the domain is convex" },
+     { 6, "completeness", "no point is below the cells" }}};
+DELONE_HIDDEN inline constexpr std::array<CheckLevel, 6> levels_of_upper_hull{
+    {levels_of<ComplexData>[0],
+     levels_of<ComplexData>[1],
+     levels_of<ComplexData>[2],
+     { 4, "volume", "every cell has positive volume over the compositions" },
+     { 5, "local convexity", "no vertex above the hyperplane of a cell, the domain is convex" },
+     { 6, "completeness", "no point is above the cells" }}};
+DELONE_HIDDEN inline constexpr std::array<CheckLevel, 3> levels_of_part{
+    {levels_of<ComplexData>[0], levels_of<ComplexData>[1], {
+       3, "part", "every cell is one of the triangulation of all points"
+     }}};
+DELONE_HIDDEN inline constexpr std::array<CheckLevel, 2> levels_of_boundary{
+    {levels_of<ComplexData>[0], { 2, "closed", "the facets enclose something: none has a border" }}};
+
 /// Runs step i for level i, `step(report)`, up to the level that the options name.
-template <PlainData Data, class... Steps>
-CheckReport run_levels(const CheckOptions& options, Steps... steps) {
-  static_assert(sizeof...(Steps) == levels_of<Data>.size(), "each level is one step");
+template <class... Steps>
+CheckReport run_levels(std::span<const CheckLevel> levels, const CheckOptions& options, Steps... steps) {
   if (options.up_to < 1) throw Error(Errc::invalid_argument, "levels of checks are counted from 1");
-  if (!std::same_as<Data, ComplexData> && (options.canonical || !options.oriented || options.furthest_site))
-    throw Error(Errc::invalid_argument,
-                "canonical, oriented and furthest_site are options of the check of a triangulation");
   CheckReport report;
   const auto run = [&](const CheckLevel& level, auto& step) {
     if (level.number > options.up_to) return;
@@ -70,7 +96,7 @@ CheckReport run_levels(const CheckOptions& options, Steps... steps) {
   };
   try {
     guarded("a check", [&] {
-      const CheckLevel* level = levels_of<Data>.data();
+      const CheckLevel* level = levels.data();
       (run(*level++, steps), ...);
     });
     report.ok = true;
@@ -82,6 +108,14 @@ CheckReport run_levels(const CheckOptions& options, Steps... steps) {
     report.halfspaces = std::move(violation.halfspaces);
   }
   return report;
+}
+template <PlainData Data, class... Steps>
+CheckReport run_levels(const CheckOptions& options, Steps... steps) {
+  static_assert(sizeof...(Steps) == levels_of<Data>.size(), "each level is one step");
+  if (!std::same_as<Data, ComplexData> && (options.canonical || !options.oriented || options.furthest_site))
+    throw Error(Errc::invalid_argument,
+                "canonical, oriented and furthest_site are options of the check of a triangulation");
+  return run_levels(std::span<const CheckLevel>(levels_of<Data>), options, std::move(steps)...);
 }
 
 }  // namespace delone::internal

@@ -310,6 +310,7 @@ ComplexData AlphaComplex::to_data() const {
     }
     data.cells.resize(to);
     data.neighbors.resize(to);
+    data.kind = DataKind::alpha_complex;
     return data;
   });
 }
@@ -321,6 +322,7 @@ ComplexData AlphaComplex::boundary_data() const {
     ComplexData data;
     data.dimension = dimension();
     data.affine_dimension = std::max(impl_->k - 1, -1);
+    data.kind = DataKind::alpha_boundary;
     const std::size_t rows = internal::StoredPoints::vertices_of_rows(triangulation).size();
     data.points.reserve(rows * d);
     internal::QuickRounds round;

@@ -336,6 +336,8 @@ ComplexData Envelope::to_data() const {
   data.points = impl_->points;
   data.cells = impl_->cells;
   data.neighbors = impl_->neighbors;
+  data.kind = side() == HullSide::lower ? DataKind::lower_hull : DataKind::upper_hull;
+  data.tolerance = impl_->tolerance;
   return data;
 }
 const Polytope& Envelope::polytope() const {

@@ -305,7 +305,7 @@ std::vector<SignedIndex> to_indices(const NpyArray& array, const std::string& na
   });
 }
 
-std::vector<std::string> parse_npy_texts(std::string_view bytes, const std::string& name) {
+std::vector<std::string> parse_npy_texts(std::string_view bytes, const std::string& name, std::size_t rank) {
   require_npy(bytes, name);
   if (bytes.size() < 12) fail(Errc::bad_format, "{}: truncated .npy header", name);
   const std::size_t start = bytes[6] == 1 ? 10 : 12, length = little_endian(bytes.substr(8, start - 8));
@@ -313,11 +313,11 @@ std::vector<std::string> parse_npy_texts(std::string_view bytes, const std::stri
   const auto header = HeaderParser(bytes.substr(start, length), name).parse();
   const std::string& type = header.descr;
   const auto width = to_count(std::string_view(type).substr(std::min<std::size_t>(type.size(), 2)));
-  if (type.size() < 3 || type[1] != 'U' || !width || header.shape.size() != 1)
-    fail(Errc::bad_format, "{}: expected a 1-D array of Unicode strings, found type {} and shape {}", name,
-         in_quotes(type), shape_text(header.shape));
+  if (type.size() < 3 || type[1] != 'U' || !width || header.shape.size() != rank)
+    fail(Errc::bad_format, "{}: expected a {}-D array of Unicode strings, found type {} and shape {}", name,
+         rank, in_quotes(type), shape_text(header.shape));
   const std::string_view data = bytes.substr(start + length);
-  const std::size_t count = header.shape[0], characters = data.size() / 4;
+  const std::size_t count = rank == 0 ? 1 : header.shape[0], characters = data.size() / 4;
   if (data.size() % 4 != 0 ||
       (*width == 0 ? characters != 0 : characters % *width != 0 || characters / *width != count) ||
       (*width == 0 && count > 4096))
@@ -329,6 +329,12 @@ std::vector<std::string> parse_npy_texts(std::string_view bytes, const std::stri
     if (const auto code = load<std::uint32_t>(data.data() + 4 * i, swap); code != 0)
       append_utf8(texts[i / static_cast<std::size_t>(*width)], code);
   return texts;
+}
+
+std::string npy_of_text(std::string_view text) {
+  std::string file = npy_header(fmt::format("U{}", text.size()), {}), storage;
+  const std::vector<std::uint32_t> codes(text.begin(), text.end());
+  return file + std::string(little_endian_bytes(std::span<const std::uint32_t>(codes), storage));
 }
 
 std::string npy_of_texts(const std::vector<std::string>& texts) {

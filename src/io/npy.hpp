@@ -49,8 +49,12 @@ std::vector<double> to_doubles(const NpyArray& array, const std::string& name, s
 /// beyond SignedIndex.
 std::vector<SignedIndex> to_indices(const NpyArray& array, const std::string& name);
 
-/// The texts of an .npy file with an array of Unicode strings (type U), in UTF-8. Throws bad_format.
-std::vector<std::string> parse_npy_texts(std::string_view bytes, const std::string& name);
+/// The texts of an .npy file with an array of Unicode strings (type U), in UTF-8; `rank`: of how many
+/// dimensions, 1 or 0, which is one text. Throws bad_format.
+std::vector<std::string> parse_npy_texts(std::string_view bytes, const std::string& name,
+                                         std::size_t rank = 1);
+/// A whole .npy file of one text in ASCII, an array of no dimension.
+std::string npy_of_text(std::string_view text);
 /// A whole .npy file of texts in UTF-8; bytes that are none become U+FFFD.
 std::string npy_of_texts(const std::vector<std::string>& texts);
 

@@ -185,6 +185,17 @@ ComplexData Triangulation::to_data(bool with_points) const {
   ComplexData data;
   data.dimension = dimension();
   data.affine_dimension = now.affine_dimension();
+  switch (kind()) {
+    case TriangulationKind::delaunay:
+      data.kind = DataKind::delaunay;
+      break;
+    case TriangulationKind::regular:
+      data.kind = DataKind::regular;
+      break;
+    case TriangulationKind::furthest_site:
+      data.kind = DataKind::furthest_site;
+      break;
+  }
   const std::size_t rows = impl_->vertex_of_row.size();
   const auto row_of_vertex = [&](Index v) { return static_cast<SignedIndex>(impl_->row_of_vertex[v]); };
   data.vertex_of_point.resize(rows);

@@ -142,7 +142,10 @@ class Trimming {
     result.depth = depth_;
     result.lost_volume = lost_volume_;
     result.num_removed = num_removed_;
-    if (num_removed_ > 0) renumber(result);
+    if (num_removed_ > 0) {
+      renumber(result);
+      data_.kind = DataKind::trimmed;
+    }
     result.kept = std::move(kept_);
     result.data = std::move(data_);
     return result;

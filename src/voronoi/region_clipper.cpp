@@ -27,7 +27,8 @@ namespace delone::internal {
 
 using namespace clipper_limits;
 
-RegionClipper::RegionClipper(const Box& box) : d_(box.low.size()), box_(box) {
+RegionClipper::RegionClipper(const Box& box, bool furthest)
+    : d_(box.low.size()), box_(box), furthest_(furthest) {
   is_moderate_ = true;
   for (std::size_t j = 0; j < d_; ++j) {
     const double side = box.high[j] / 2 - box.low[j] / 2;
@@ -82,7 +83,8 @@ void RegionClipper::make_box() {
 }
 
 /// Half the difference of the powers of x with respect to the sites s and t gives
-/// (t − s)·y ≤ (|t − s|² − (w_t − w_s))/2. The nearest bisectors come first, which keeps the polytope small.
+/// (t − s)·y ≤ (|t − s|² − (w_t − w_s))/2, for furthest sites (s − t)·y ≤ −|t − s|²/2. The bisectors that
+/// leave least on the side of the site come first, which keeps the polytope small.
 void RegionClipper::make_bisectors(std::span<const Site> others) {
   std::vector<double> distances(others.size());
   std::vector<Plane> made(others.size());
@@ -97,6 +99,10 @@ void RegionClipper::make_bisectors(std::span<const Site> others) {
     plane.b = (square - weights) / 2;
     // A square is off by 3u, their sum by another d·u, and both differences by u each.
     plane.b_error = 1.01 * static_cast<double>(d_ + 4) * u * (square + std::abs(weights)) + underflow;
+    if (furthest_) {
+      for (double& x : plane.a) x = -x;
+      plane.b = -plane.b;
+    }
     distances[o] = plane.b / std::sqrt(square);
   }
   order_.resize(others.size());
@@ -170,6 +176,8 @@ const std::vector<kernel::Integer>& RegionClipper::exact_plane(std::size_t plane
     square -=
         kernel::scaled_integer(other.weight, 2 * grid_) - kernel::scaled_integer(site_.weight, 2 * grid_);
   p.exact.push_back(std::move(square));
+  if (furthest_)
+    for (kernel::Integer& x : p.exact) x = -x;
   return p.exact;
 }
 

@@ -22,7 +22,9 @@ namespace delone::internal {
 class RegionClipper {
  public:
   /// REQUIRES a box of dimension at most 12 with low < high, both finite.
-  explicit RegionClipper(const Box& box);
+  /// `furthest`: whether the region of a site is that of the points not further from any other one; then
+  /// weights are not looked at.
+  explicit RegionClipper(const Box& box, bool furthest = false);
 
   struct Site {
     const double* point;
@@ -69,6 +71,7 @@ class RegionClipper {
 
   std::size_t d_;
   Box box_;
+  bool furthest_;
   double extent_ = 0;  // the longest side
   bool is_moderate_ = false;
   Site site_{};

@@ -23,6 +23,19 @@ namespace delone {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+
+DataKind kind_of_dual(TriangulationKind kind) {
+  switch (kind) {
+    case TriangulationKind::delaunay:
+      return DataKind::voronoi;
+    case TriangulationKind::regular:
+      return DataKind::power_diagram;
+    case TriangulationKind::furthest_site:
+      break;
+  }
+  return DataKind::furthest_voronoi;
+}
+
 constexpr std::size_t ridges_in_part = 2048;
 
 double distance(const double* p, const double* q, std::size_t d) {
@@ -62,7 +75,9 @@ struct Neighbors {
 class DiagramClipper {
  public:
   DiagramClipper(const Diagram& diagram, const Neighbors& neighbors, const Box& box)
-      : diagram_(diagram), neighbors_(neighbors), clipper_(box) {}
+      : diagram_(diagram),
+        neighbors_(neighbors),
+        clipper_(box, diagram.kind() == DataKind::furthest_voronoi) {}
 
   internal::RegionClipper& clip(std::size_t region) {
     others_.clear();
@@ -89,8 +104,8 @@ Diagram::Diagram(const Triangulation& triangulation, const std::function<double(
                  const DiagramOptions& options)
     : dimension_(triangulation.dimension()),
       affine_dimension_(triangulation.affine_dimension()),
+      kind_(kind_of_dual(triangulation.kind())),
       has_ridges_(options.parts == DiagramParts::all || options.tolerance > 0),
-      is_weighted_(weight != nullptr),
       tolerance_(options.tolerance) {
   internal::require_tolerance(tolerance_);
   const internal::ProgressMeter meter(options.progress);
@@ -278,12 +293,13 @@ VoronoiData Diagram::to_data() const {
                      ray_points_,
                      ray_directions_,
                      tolerance_,
-                     {}};
+                     {},
+                     kind_};
     const double* hidden = hidden_.data();
     for (const SignedIndex region : point_region_) {
       const double* point = region < 0 ? hidden : site(static_cast<std::size_t>(region)).data();
       data.points.insert(data.points.end(), point, point + ambient());
-      if (is_weighted_)
+      if (kind_ == DataKind::power_diagram)
         data.weights.push_back(region < 0 ? hidden[ambient()] : weight(static_cast<std::size_t>(region)));
       if (region < 0) hidden += ambient() + 1;
     }

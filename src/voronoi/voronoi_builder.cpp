@@ -306,6 +306,7 @@ void VoronoiBuilder::walk_region(std::size_t region, VertexId site, std::vector<
 
 void VoronoiBuilder::collect_rays() {
   if (k_ < 1) return;
+  const bool is_inward = triangulation_.kind() == TriangulationKind::furthest_site;
   std::vector<const double*> facet;
   for (const CellId c : complex_.infinite_cells()) {
     round_();
@@ -320,7 +321,9 @@ void VoronoiBuilder::collect_rays() {
       out_.ray_points_.push_back(row_of(complex_.vertex(c, i)));
     }
     const double* opposite = point(complex_.vertex(behind, complex_.mirror_index(c, apex)));
-    const std::vector<double> direction = internal::outward_direction(facet, opposite, d_);
+    std::vector<double> direction = internal::outward_direction(facet, opposite, d_);
+    if (is_inward)
+      for (double& x : direction) x = 0 - x;
     out_.ray_directions_.insert(out_.ray_directions_.end(), direction.begin(), direction.end());
   }
 }

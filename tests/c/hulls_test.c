@@ -129,7 +129,7 @@ static void halfspaces(void) {
 static void diagrams(void) {
   const double points[10] = {0, 0, 2, 0, 2, 2, 0, 2, 1, 1}, weights[5] = {0, 0, 0, 0, -9};
   const double low[2] = {0, 0}, high[2] = {2, 2};
-  delone_object *t, *v;
+  delone_object *t, *v, *report;
   delone_array array;
   double volumes[5];
   OK(delone_delaunay(points, 5, 2, NULL, &t));
@@ -156,8 +156,26 @@ static void diagrams(void) {
   delone_free(t);
   delone_free(v);
   OK(delone_furthest_site(points, 5, 2, NULL, &t));
-  FAILS(DELONE_INVALID_ARGUMENT, delone_voronoi(t, NULL, &v));
+  OK(delone_voronoi(t, NULL, &v));
   delone_free(t);
+  CHECK(strcmp(delone_kind(v), "furthest_voronoi") == 0 && get_integer(v, "num_regions") == 4);
+  CHECK(strcmp(get_text(v, "kind"), "furthest_voronoi") == 0);
+  CHECK(get_integer(v, "num_unbounded_regions") == 4);
+  OK(delone_check(v, NULL, &report));
+  CHECK(get_integer(report, "ok") == 1 && *get_text(report, "not_examined") == '\0');
+  delone_free(report);
+  OK(delone_region_volumes(v, low, high, NULL, volumes));
+  CHECK(fabs(volumes[0] + volumes[1] + volumes[2] + volumes[3] - (high[0] - low[0]) * (high[1] - low[1])) <
+        1e-12);
+  OK(delone_write(v, "c_furthest.npz", NULL));
+  delone_free(v);
+  OK(delone_read("c_furthest.npz", NULL, &v));
+  CHECK(strcmp(delone_kind(v), "diagram") == 0 && strcmp(get_text(v, "kind"), "furthest_voronoi") == 0);
+  OK(delone_check(v, NULL, &report));
+  CHECK(get_integer(report, "ok") == 1);
+  delone_free(report);
+  delone_free(v);
+  remove("c_furthest.npz");
 }
 
 void hulls_test(void) {

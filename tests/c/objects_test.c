@@ -127,7 +127,7 @@ static void members_are_listed(void) {
       OK(delone_get_text(t, name, &text));
     }
   }
-  CHECK(arrays == 8 && i == 17);
+  CHECK(arrays == 8 && i == 18);
   CHECK(delone_member(t, i, NULL) == NULL && delone_member(NULL, 0, NULL) == NULL);
   delone_free(t);
 }

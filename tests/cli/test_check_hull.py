@@ -124,7 +124,7 @@ class Hulls(Case):
             self.complaint("check", self.path("good.npz"), option, status=64)
         for name in self.good:
             np.savez(self.path("bad.npz"), **{key: value for key, value in self.good.items() if key != name})
-            if name not in ("facet_of_cell", "points", "axes"):  # without the first it is no hull, without the last all axes are meant
+            if name not in ("kind", "points", "axes"):  # without the first, arrays tell; without the last, all axes are meant
                 self.assertIn(name, self.complaint("check", self.path("bad.npz")))
         for name in ("equations", "point_kinds", "cells"):
             np.savez(self.path("bad.npz"), **{**self.good, name: self.good[name][1:]})

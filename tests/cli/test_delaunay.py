@@ -81,7 +81,7 @@ class Delaunay(Case):
             self.output("delaunay", points, "-o", out)
             with np.load(out) as data:
                 arrays = {name: data[name] for name in data.files}
-            self.assertEqual(sorted(arrays), ["affine_dimension", "cells", "neighbors", "points", "vertex_of_point"])
+            self.assertEqual(sorted(arrays), ["affine_dimension", "cells", "kind", "neighbors", "points", "vertex_of_point"])
             k = int(arrays["affine_dimension"])
             self.assertEqual(arrays["affine_dimension"].shape, ())
             self.assertEqual(arrays["points"].dtype, np.float64)

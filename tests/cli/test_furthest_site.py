@@ -15,11 +15,12 @@ class FurthestSite(Case):
             written = self.path(name)
             self.output("delaunay", points, "--furthest-site", "-o", written)
             self.assertIn("a furthest-site Delaunay triangulation",
-                          self.output("check", written, "--furthest-site", "--canonical"))
-            self.run_delone("check", written, status=1)
+                          self.output("check", written, "--canonical"))
             self.assertIn(stats["hash"], self.output("info", written))
         nearest = self.path("nearest.npz")
         self.output("delaunay", points, "-o", nearest)
+        with np.load(nearest) as data:
+            np.savez(nearest, **{name: data[name] for name in data.files if name != "kind"})
         self.assertIn(b"outside the sphere", self.run_delone("check", nearest, "--furthest-site", status=1).stdout)
 
     def test_scipy_agrees_and_passes(self):

@@ -11,7 +11,7 @@ from cli_support import Case, np
 ARRAYS = {"dimension", "rank", "state", "bounded", "halfspaces", "first_of_halfspace", "kinds", "witness", "interior_point",
           "interior_point_is_exact", "axes", "vertices", "vertex_offsets", "vertex_halfspaces", "directions",
           "direction_offsets", "direction_halfspaces", "edges", "rays", "facet_halfspaces", "facet_offsets", "facet_vertices",
-          "facet_direction_offsets", "facet_directions", "lineality", "dual_points", "dual_equations"}
+          "facet_direction_offsets", "facet_directions", "lineality", "dual_points", "dual_equations", "kind"}
 
 
 def box(d, size=1.0):

@@ -14,7 +14,7 @@ class Info(Case):
         for name in ("t.npz", "t.json", "t.off"):
             self.output("delaunay", points, "-o", self.path(name))
             text = self.output("info", self.path(name))
-            self.assertIn("a triangulation", text)
+            self.assertIn("a Delaunay triangulation", text)
             self.assertIn(self.stats(points)["hash"], text)
         self.assertIn("points\n", self.output("info", "-", stdin="2\n3\n0 0\n1 0\n2 0\n"))
         self.assertIn("points\n", self.output("info", self.file("p.off", "OFF\n1 0 0\n0 0 0\n")))

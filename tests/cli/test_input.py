@@ -118,7 +118,7 @@ class Compressed(Case):
             with open(self.path(name), "rb") as f:
                 self.file(name + ".gz", gzip.compress(f.read()))
             self.assertIn("exactly", self.output("check", self.path(name + ".gz")))
-            self.assertIn("a triangulation", self.output("info", self.path(name + ".gz")))
+            self.assertIn("a Delaunay triangulation", self.output("info", self.path(name + ".gz")))
         with open(points, "rb") as f:
             self.file("p.npy.gz", gzip.compress(f.read()))
         self.run_delone("delaunay", self.path("p.npy.gz"), "-q", "-o", self.path("tiles/"), "--tiles", "2")

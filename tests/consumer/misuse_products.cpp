@@ -18,7 +18,9 @@ std::size_t correct(const Points& points) {
   const delone::Delaunay triangulation(points);
   const delone::Voronoi diagram(triangulation);
   const delone::PowerDiagram<> power(delone::Regular<>(3));
-  return base.num_facets() + copy.num_facets() + diagram.num_regions() + power.num_regions();
+  const delone::FurthestVoronoi furthest{delone::FurthestSite(points)};
+  return base.num_facets() + copy.num_facets() + diagram.num_regions() + power.num_regions() +
+         furthest.num_regions();
 }
 #elif MISUSE == 1   // a base has no object of its own: nothing to delete
 void deleted(delone::Polytope* hull) { delete hull; }
@@ -48,4 +50,6 @@ std::size_t weightless(const delone::Delaunay<3>& t) { return delone::PowerDiagr
 std::size_t base(const delone::Delaunay<3>& t) {
   return delone::Diagram(t, {}, delone::DiagramOptions{}).num_regions();
 }
+#elif MISUSE == 13  // nearest sites have another dual
+std::size_t nearest(const delone::Delaunay<3>& t) { return delone::FurthestVoronoi(t).num_regions(); }
 #endif

@@ -119,6 +119,13 @@ void change(Data& data, Bytes& bytes) {
   });
 }
 
+/// The cells of an alpha complex, or the facets around them.
+delone::ComplexData part_of(const std::vector<double>& points, int dimension) {
+  const delone::Delaunay<> triangulation(points, dimension);
+  const delone::AlphaComplex complex(triangulation, 1.5);
+  return triangulation.num_rows() % 2 == 0 ? complex.to_data() : complex.boundary_data();
+}
+
 template <class Data>
 void examine(Data data, Bytes& bytes) {
   static const MemoryFolder folder;
@@ -177,13 +184,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::vector<double> numbers(bytes.below(10) * width);
   for (double& x : numbers) x = static_cast<double>(bytes.below(7)) - 3;
   std::vector<double> weights(numbers.size() / width);
-  const bool weighted = bytes.below(2) == 1;
+  const std::size_t choice = bytes.below(8);
+  const bool weighted = choice % 2 == 1;
   if (weighted)
     for (double& w : weights) w = static_cast<double>(bytes.below(5));
   switch (target) {
     case 0:
-      examine(weighted ? delone::Regular<>(numbers, weights, dimension).to_data()
-                       : delone::Delaunay<>(numbers, dimension).to_data(),
+      examine(weighted                       ? delone::Regular<>(numbers, weights, dimension).to_data()
+              : choice == 2                  ? delone::FurthestSite<>(numbers, dimension).to_data()
+              : choice == 4                  ? part_of(numbers, dimension)
+              : choice == 6 && dimension > 1 ? delone::LowerHull<>(numbers, dimension).to_data()
+                                             : delone::Delaunay<>(numbers, dimension).to_data(),
               bytes);
       break;
     case 1:
@@ -199,6 +210,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     default:
       if (weighted)
         examine(delone::PowerDiagram<>(delone::Regular<>(numbers, weights, dimension)).to_data(), bytes);
+      else if (choice == 2)
+        examine(delone::FurthestVoronoi<>(delone::FurthestSite<>(numbers, dimension)).to_data(), bytes);
       else
         examine(delone::Voronoi<>(delone::Delaunay<>(numbers, dimension)).to_data(), bytes);
   }

@@ -59,10 +59,9 @@ def test_saved_and_read(make, kind, tmp_path):
         data.points = None
     with pytest.raises(AttributeError):
         data.facets_of_a_triangulation
-    if not isinstance(product, delone.LowerHull):
-        for checked in (product, data):
-            report = delone.check(checked, furthest_site=True) if isinstance(product, delone.FurthestSite) else delone.check(checked)
-            assert report and report.ok and report.violation == ""
+    for checked in (product, data):
+        report = delone.check(checked)
+        assert report and report.ok and report.violation == ""
 
 
 def test_names_of_columns(tmp_path):
@@ -145,16 +144,54 @@ def test_points_written_and_read(tmp_path):
         delone.read(tmp_path / "b.npz", frame=True)
 
 
-def test_furthest_sites_have_no_files(tmp_path):
-    diagram = delone.Voronoi(delone.FurthestSite(POINTS))
-    data = pickle.loads(pickle.dumps(diagram.to_data()))
-    for product in (diagram, data):
-        with pytest.raises(ValueError, match="save the FurthestSite triangulation"):
-            product.save(tmp_path / "a.npz")
-        with pytest.raises(TypeError, match="check its FurthestSite triangulation"):
-            delone.check(product)
-    diagram.save(tmp_path / "a.txt", qhull="p")
-    assert os.listdir(tmp_path) == ["a.txt"]
+KINDS = [
+    ("delaunay", lambda: delone.Delaunay(POINTS)),
+    ("regular", lambda: delone.Regular(POINTS, np.arange(30.0) / 100)),
+    ("furthest_site", lambda: delone.FurthestSite(POINTS)),
+    ("alpha_complex", lambda: delone.Delaunay(POINTS).alpha_complex(0.4)),
+    ("lower_hull", lambda: delone.LowerHull(POINTS)),
+    ("upper_hull", lambda: delone.LowerHull(POINTS, "upper", tolerance=0.1)),
+    ("convex_hull", lambda: delone.ConvexHull(POINTS)),
+    ("halfspace_intersection", lambda: delone.HalfspaceIntersection(SQUARE)),
+    ("voronoi", lambda: delone.Voronoi(POINTS)),
+    ("power_diagram", lambda: delone.PowerDiagram(POINTS, np.arange(30.0) / 100)),
+    ("furthest_voronoi", lambda: delone.FurthestVoronoi(POINTS)),
+]
+
+
+@pytest.mark.parametrize("kind, make", KINDS)
+def test_kinds(kind, make, tmp_path):
+    product = make()
+    data = product.to_data()
+    assert data.kind == kind and pickle.loads(pickle.dumps(data)).kind == kind
+    for extension in ("npz", "json"):
+        product.save(tmp_path / f"a.{extension}")
+        read = delone.read(tmp_path / f"a.{extension}")
+        assert read.kind == kind
+        for checked in (product, data, read):
+            report = delone.check(checked)
+            assert report, report.violation
+            assert ("radius" in report.not_examined) == (kind == "alpha_complex")
+    assert str(np.load(tmp_path / "a.npz")["kind"]) == kind
+
+
+def test_kinds_of_other_cells(tmp_path):
+    t = delone.FurthestSite(POINTS)
+    data = delone.ComplexData(POINTS, t.cells)
+    assert data.kind is None and not delone.check(data) and delone.check(data, furthest_site=True)
+    assert delone.check(delone.ComplexData(POINTS, t.cells, kind="furthest_site"))
+    hull = delone.ConvexHull(POINTS)
+    boundary = delone.ComplexData(POINTS, hull.cells, kind="hull_boundary")
+    assert delone.check(boundary).level == 5 and not delone.check(delone.ComplexData(POINTS, hull.cells[:-1], kind="hull_boundary"))
+    hull.save(tmp_path / "hull.off")
+    assert delone.read(tmp_path / "hull.off").kind == "hull_boundary"
+    for bad in (lambda: delone.ComplexData(POINTS, t.cells, kind="voronoi"), lambda: delone.ComplexData(POINTS, t.cells, kind="cells"),
+                lambda: delone.check(delone.Delaunay(POINTS), furthest_site=True), lambda: delone.check(boundary, level=6),
+                lambda: delone.check(delone.LowerHull(POINTS), canonical=True)):
+        with pytest.raises(ValueError):
+            bad()
+    with pytest.raises(TypeError, match="kind"):
+        delone.ComplexData(POINTS, t.cells, kind=3)
 
 
 def test_complex_data():
@@ -235,7 +272,7 @@ def test_check_of_anybodys_triangulation():
                 lambda: delone.check(delone.ConvexHull(POINTS), level=6), lambda: delone.check(POINTS, t.cells[:, :1] * 1.5),
                 lambda: delone.check(POINTS, [0, 1, 2]), lambda: delone.check(POINTS[:, :2], t.cells),
                 lambda: delone.check(delone.ConvexHull(POINTS), canonical=True), lambda: delone.check(5),
-                lambda: delone.check(t, neighbors=t.neighbors), lambda: delone.check(delone.LowerHull(POINTS)),
+                lambda: delone.check(t, neighbors=t.neighbors),
                 lambda: delone.check(POINTS, t.cells + 2**40), lambda: delone.check(POINTS, t.cells, neighbors=t.neighbors[:, :2])):
         with pytest.raises((ValueError, TypeError)):
             bad()

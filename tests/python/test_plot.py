@@ -167,7 +167,7 @@ def test_regions_fill_the_box(points):
     assert ((edges >= box[0] - 1e-9) & (edges <= box[1] + 1e-9)).all()
 
 
-@pytest.mark.parametrize("make", [lambda: delone.PowerDiagram(PLANE, np.arange(40) * 0.0005), lambda: delone.Voronoi(delone.FurthestSite(PLANE))])
+@pytest.mark.parametrize("make", [lambda: delone.PowerDiagram(PLANE, np.arange(40) * 0.0005), lambda: delone.FurthestVoronoi(PLANE)])
 def test_regions_of_other_diagrams_fill_the_box(make):
     diagram = make()
     box = diagram.bounding_box()

@@ -127,7 +127,7 @@ def test_triangulations_of_another_kind():
 @given(lattice_points())
 def test_furthest_sites(points):
     f = delone.FurthestSite(points)
-    v = delone.Voronoi(f)
+    v = delone.FurthestVoronoi(f)
     assert not v.is_bounded.any() and (v.point_region == -1).tolist() == [row in f.hidden for row in range(len(points))]
     for pair, ridge in zip(v.ridge_points, lists(v.ridge_offsets, v.ridge_vertices)):
         for vertex in v.vertices[[i for i in ridge if i >= 0]]:
@@ -137,9 +137,24 @@ def test_furthest_sites(points):
         distances = np.linalg.norm(points - (v.vertices[vertex] + direction), axis=1)
         np.testing.assert_allclose(distances[sites], distances.max(), rtol=1e-9, atol=1e-9)
     assert np.isinf(v.region_volumes()).all()
+    assert delone.check(v)
     if f.num_vertices > 0:
-        with pytest.raises(delone.Error, match="furthest"):
-            v.region_volumes(v.bounding_box())
+        low, high = v.bounding_box()
+        np.testing.assert_allclose(v.region_volumes((low, high)).sum(), np.prod(high - low), rtol=1e-9)
+
+
+def test_furthest_sites_of_points():
+    points = np.random.default_rng(3).random((30, 2))
+    v = delone.FurthestVoronoi(points, tolerance=0.0)
+    assert repr(v).startswith("<delone.FurthestVoronoi: 30 points") and v.to_data().kind == "furthest_voronoi"
+    again = pickle.loads(pickle.dumps(v))
+    assert type(again) is delone.FurthestVoronoi and (again.vertices == v.vertices).all() and (again.ray_directions == v.ray_directions).all()
+    assert "<html" in v.to_html()
+    with pytest.raises(TypeError, match="FurthestVoronoi"):
+        delone.Voronoi(delone.FurthestSite(points))
+    for other in (delone.Delaunay(points), delone.Regular(points, np.zeros(30))):
+        with pytest.raises(TypeError, match="FurthestSite"):
+            delone.FurthestVoronoi(other)
 
 
 def turned(points, degrees):

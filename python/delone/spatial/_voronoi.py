@@ -103,7 +103,7 @@ class Voronoi(OfPoints):
     def _update(self):
         tolerance = self._wanted_tolerance
         tolerance = _tolerance.of_qhull(self._points, self._options) if tolerance is None else tolerance
-        diagram = delone.Voronoi(self._core, tolerance)
+        diagram = (delone.FurthestVoronoi if self._options.furthest else delone.Voronoi)(self._core, tolerance)
         point_region = diagram.point_region.astype(np.intp)
         hidden = np.flatnonzero(point_region == -1)
         point_region[hidden] = diagram.num_regions + np.arange(len(hidden))

@@ -45,6 +45,17 @@ template <>
 DELONE_HIDDEN inline constexpr std::int64_t largest_number<HalfspaceKind> =
     static_cast<std::int64_t>(HalfspaceKind::trivial);
 
+/// Whether data of this type may be of this kind.
+template <PlainData Data>
+DELONE_HIDDEN constexpr bool fits(DataKind kind) {
+  if constexpr (std::same_as<Data, ComplexData>)
+    return kind <= DataKind::hull_boundary;
+  else if constexpr (std::same_as<Data, VoronoiData>)
+    return kind == DataKind::unknown || kind >= DataKind::voronoi;
+  else
+    return kind == Data::kind;
+}
+
 /// `Data`, or const Data.
 template <class MaybeConst, class Data>
 concept SameData = std::same_as<std::remove_const_t<MaybeConst>, Data>;
@@ -52,6 +63,15 @@ concept SameData = std::same_as<std::remove_const_t<MaybeConst>, Data>;
 // Each for_each_array() calls visit(array, items, shape) for every array and visit.lists(lists, offsets,
 // items) for every list of lists. Shapes are those that the sizes of the other arrays require. Data that are
 // const are written, others read.
+
+/// One number, left out of exact data.
+template <class Data, class Visitor>
+void visit_tolerance(Data& data, Visitor&& visit) {
+  std::vector<double> tolerance(data.tolerance == 0 ? 0 : 1, data.tolerance);
+  if (!std::is_const_v<Data> || !tolerance.empty())
+    visit(Array{.name = "tolerance", .required = false, .finite = true}, tolerance, {tolerance.size()});
+  if constexpr (!std::is_const_v<Data>) data.tolerance = tolerance.empty() ? 0 : tolerance[0];
+}
 
 template <SameData<ComplexData> Data, class Visitor>
 void for_each_array(Data& data, Visitor&& visit) {
@@ -63,6 +83,7 @@ void for_each_array(Data& data, Visitor&& visit) {
   visit(Array{.name = "vertex_of_point", .required = false}, data.vertex_of_point, {data.num_points()});
   if (!std::is_const_v<Data> || !data.weights.empty())
     visit(Array{.name = "weights", .required = false, .finite = true}, data.weights, {data.num_points()});
+  visit_tolerance(data, visit);
 }
 
 template <SameData<HullData> Data, class Visitor>
@@ -133,11 +154,7 @@ void for_each_array(Data& data, Visitor&& visit) {
   visit(Array{"ray_vertices"}, data.ray_vertices, {data.num_rays()});
   visit(Array{"ray_directions"}, data.ray_directions, {data.num_rays(), d});
   visit(Array{"ray_points"}, data.ray_points, {data.num_rays(), k});
-  // One number, left out for an exact diagram.
-  std::vector<double> tolerance(data.tolerance == 0 ? 0 : 1, data.tolerance);
-  if (!std::is_const_v<Data> || !tolerance.empty())
-    visit(Array{.name = "tolerance", .required = false, .finite = true}, tolerance, {tolerance.size()});
-  if constexpr (!std::is_const_v<Data>) data.tolerance = tolerance.empty() ? 0 : tolerance[0];
+  visit_tolerance(data, visit);
 }
 
 }  // namespace delone::io

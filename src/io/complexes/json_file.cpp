@@ -275,6 +275,13 @@ std::vector<std::string> JsonFile::find_texts(const std::string& member) const {
   return at->second.texts;
 }
 
+std::optional<std::string> JsonFile::find_text(const std::string& member) const {
+  const auto at = members_.find(member);
+  if (at == members_.end()) return std::nullopt;
+  if (at->second.kind != JsonMember::Kind::text) refuse_scalar(member, "a string");
+  return at->second.text;
+}
+
 std::optional<std::int64_t> JsonFile::find_number(const std::string& member) const {
   const auto at = members_.find(member);
   if (at == members_.end()) return std::nullopt;

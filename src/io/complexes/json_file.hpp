@@ -58,6 +58,8 @@ class JsonFile {
 
   /// An array of texts; empty if there is no such member. Throws bad_format for anything else.
   std::vector<std::string> find_texts(const std::string& member) const;
+  /// A text; nullopt if there is no such member. Throws bad_format for anything else.
+  std::optional<std::string> find_text(const std::string& member) const;
   std::optional<std::int64_t> find_number(const std::string& member) const;
   std::optional<bool> find_flag(const std::string& member) const;
   /// The index of a choice; the number of choices if it is none of them.

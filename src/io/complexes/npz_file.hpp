@@ -54,6 +54,11 @@ class NpzFile {
     if (!has(member)) return {};
     return parse_npy_texts(*zip_.find(member + ".npy"), name_ + ": " + member);
   }
+  /// A text; nullopt if there is no such member. Throws bad_format for anything else.
+  std::optional<std::string> find_text(const std::string& member) const {
+    if (!has(member)) return std::nullopt;
+    return parse_npy_texts(*zip_.find(member + ".npy"), name_ + ": " + member, 0)[0];
+  }
   std::optional<std::int64_t> find_number(const std::string& member) const {
     if (!has(member)) return std::nullopt;
     const NpyArray array = parse(member);

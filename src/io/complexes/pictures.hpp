@@ -29,6 +29,7 @@ struct VtuSimplices {
   std::span<const Id> cells;                 ///< k+1 numbers of points each
   std::span<const std::int64_t> rows = {};   ///< point data "row", if there are any
   std::optional<std::int64_t> first_cell{};  ///< cell data "cell": numbers from this one on
+  DataKind kind = DataKind::unknown;         ///< for a comment
 };
 /// VTK's XML format for unstructured grids, arrays appended as raw bytes. Throws unsupported for d > 3.
 template <class Id>

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// read() and read_as(): what a file holds is told by its arrays. They are read by name; then their shapes
-// must agree. What the numbers say is left to check().
+// read() and read_as(): what a file holds is told by its member `kind` or else by its arrays. They are read
+// by name; then their shapes must agree. What the numbers say is left to check().
 #include "io/collect.hpp"
 #include "io/complexes/arrays.hpp"
 #include "io/complexes/json_file.hpp"
 #include "io/complexes/npz_file.hpp"
 #include "io/file.hpp"
+#include "io/known_kind.hpp"
 #include "io/npy.hpp"
 #include "io/points/off.hpp"
 #include "io/text_cursor.hpp"
@@ -28,18 +29,30 @@ namespace {
 using Shape = std::vector<std::size_t>;
 
 /// The alternatives of AnyData as numbers, in its order.
-enum Kind : std::size_t { complex, hull, intersection, diagram };
-constexpr std::array<const char*, 4> kind_names{
+enum Type : std::size_t { complex, hull, intersection, diagram };
+constexpr std::array<const char*, 4> type_names{
     "a triangulation", "a convex hull", "an intersection of halfspaces", "a Voronoi or power diagram"};
 
 template <class Data>
-constexpr Kind kind_of_data = std::is_same_v<Data, ComplexData>        ? complex
+constexpr Type type_of_data = std::is_same_v<Data, ComplexData>        ? complex
                               : std::is_same_v<Data, HullData>         ? hull
                               : std::is_same_v<Data, IntersectionData> ? intersection
                                                                        : diagram;
 
+/// What a file says that it holds; `unknown` if it does not say.
 template <class File>
-Kind kind_of(const File& file) {
+DataKind kind_of(const File& file) {
+  const std::optional<std::string> name = file.find_text("kind");
+  return name ? known_kind(*name, file.name()) : DataKind::unknown;
+}
+
+template <class File>
+Type type_of(const File& file, DataKind kind) {
+  if (kind != DataKind::unknown)
+    return fits<ComplexData>(kind)        ? complex
+           : fits<HullData>(kind)         ? hull
+           : fits<IntersectionData>(kind) ? intersection
+                                          : diagram;
   if (file.has("first_of_halfspace")) return intersection;
   if (file.has("ridge_points") && file.has("point_region")) return diagram;
   return file.has("facet_of_cell") ? hull : complex;
@@ -227,24 +240,34 @@ Data read_arrays(File& file) {
   return data;
 }
 
-void require_kind(Kind found, std::optional<Kind> wanted, const std::string& name) {
+void require_type(Type found, std::optional<Type> wanted, DataKind kind, const std::string& name) {
   if (wanted && found != *wanted)
-    fail(Errc::bad_format, "{}: the file holds {}, not {}", name, kind_names[found], kind_names[*wanted]);
+    fail(Errc::bad_format, "{}: the file holds {}, not {}", name,
+         kind == DataKind::unknown ? type_names[found] : description_of(kind), type_names[*wanted]);
 }
 
 template <class File>
-AnyData read_file(File file, std::optional<Kind> wanted) {
-  const Kind kind = kind_of(file);
-  require_kind(kind, wanted, file.name());
-  switch (kind) {
+AnyData read_file(File file, std::optional<Type> wanted) {
+  const DataKind kind = kind_of(file);
+  const Type type = type_of(file, kind);
+  require_type(type, wanted, kind, file.name());
+  switch (type) {
     case hull:
       return read_arrays<HullData>(file);
     case intersection:
       return read_arrays<IntersectionData>(file);
-    case diagram:
-      return read_arrays<VoronoiData>(file);
-    default:
-      return read_arrays<ComplexData>(file);
+    case diagram: {
+      VoronoiData data = read_arrays<VoronoiData>(file);
+      data.kind = kind != DataKind::unknown ? kind
+                  : data.weights.empty()    ? DataKind::voronoi
+                                            : DataKind::power_diagram;
+      return data;
+    }
+    default: {
+      ComplexData data = read_arrays<ComplexData>(file);
+      data.kind = kind;
+      return data;
+    }
   }
 }
 
@@ -266,7 +289,7 @@ void check_opening(const std::string& format, std::string_view opening, bool is_
   }
 }
 
-AnyData read_any(const std::string& path, const std::string& format, std::optional<Kind> wanted,
+AnyData read_any(const std::string& path, const std::string& format, std::optional<Type> wanted,
                  std::uint64_t max_stream_bytes) {
   refuse_folder(path, "a file");
   const std::string chosen =
@@ -278,7 +301,7 @@ AnyData read_any(const std::string& path, const std::string& format, std::option
     });
     if (chosen == "npz") return read_file(NpzFile(bytes.view(), name), wanted);
     if (chosen == "json") return read_file(JsonFile(bytes.view(), name), wanted);
-    require_kind(complex, wanted, name);
+    require_type(complex, wanted, DataKind::unknown, name);
     return read_off_complex(bytes.view(), name);
   });
 }
@@ -292,7 +315,7 @@ AnyData read(const std::string& path, const std::string& format, std::uint64_t m
 
 template <PlainData Data>
 Data read_as(const std::string& path, const std::string& format, std::uint64_t max_stream_bytes) {
-  return std::get<Data>(io::read_any(path, format, io::kind_of_data<Data>, max_stream_bytes));
+  return std::get<Data>(io::read_any(path, format, io::type_of_data<Data>, max_stream_bytes));
 }
 template ComplexData read_as(const std::string&, const std::string&, std::uint64_t);
 template HullData read_as(const std::string&, const std::string&, std::uint64_t);

@@ -114,6 +114,7 @@ void write(const std::string& path, const HullData& data, const std::string& for
       boundary.affine_dimension = std::max(data.affine_dimension - 1, -1);
       boundary.points = data.points;
       boundary.cells = data.cells;
+      if (data.tolerance == 0) boundary.kind = DataKind::hull_boundary;
       return write(path, boundary, chosen);
     }
     io::refuse_binary_output(path, chosen);

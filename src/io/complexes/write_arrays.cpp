@@ -87,6 +87,9 @@ class NpzWriter {
   void texts(const std::string& name, const std::vector<std::string>& items) {
     zip_.add(name + ".npy", npy_of_texts(items), {});
   }
+  void text(const std::string& name, std::string_view item) {
+    zip_.add(name + ".npy", npy_of_text(item), {});
+  }
   void finish() { zip_.finish(); }
 
  private:
@@ -191,6 +194,9 @@ void validate(const Data& data, const std::string& name) {
     if (data.affine_dimension < -1 || data.affine_dimension > data.dimension)
       fail(Errc::invalid_argument, "{}: cannot write: the affine dimension is {}, outside -1...{}", name,
            data.affine_dimension, data.dimension);
+  if (!fits<Data>(data.kind))
+    fail(Errc::invalid_argument, "{}: cannot write: the kind is {}, which has other arrays", name,
+         name_of(data.kind));
   for_each_array(data, Validator(name));
   if constexpr (!std::is_same_v<Data, IntersectionData>)
     if (!data.column_names.empty() && data.column_names.size() != static_cast<std::size_t>(data.dimension))
@@ -202,6 +208,7 @@ template <PlainData Data>
 void write_npz(AtomicFile& file, const Data& data) {
   NpzWriter writer(file);
   for_each_array(data, writer);
+  if (data.kind != DataKind::unknown) writer.text("kind", name_of(data.kind));
   if constexpr (std::is_same_v<Data, IntersectionData>) {
     writer.number("dimension", data.dimension);
     writer.number("rank", data.rank);
@@ -218,6 +225,7 @@ void write_npz(AtomicFile& file, const Data& data) {
 template <PlainData Data>
 void write_json(AtomicFile& file, const Data& data) {
   JsonWriter writer(file);
+  if (data.kind != DataKind::unknown) writer.scalar("kind", fmt::format("\"{}\"", name_of(data.kind)));
   writer.scalar("dimension", std::to_string(data.dimension));
   if constexpr (std::is_same_v<Data, IntersectionData>) {
     const auto flag = [](bool value) { return value ? "true" : "false"; };

@@ -3,6 +3,7 @@
 #include "io/atomic_file.hpp"
 #include "io/complexes/pictures.hpp"
 #include "io/file.hpp"
+#include "io/points/off.hpp"
 
 namespace delone::io {
 
@@ -24,6 +25,10 @@ void write_off(AtomicFile& file, const ComplexData& data) {
     file.put(data.cells[i]);
     if ((i + 1) % corners == 0) file.put('\n');
   }
+  // At the end, where no reader stumbles over it. With a tolerance, which the file does not hold, they would
+  // be no such hull.
+  if (data.kind != DataKind::unknown && data.tolerance == 0)
+    file.print("{}{}\n", off_kind_comment, name_of(data.kind));
 }
 
 void write_off(AtomicFile& file, const IntersectionData& data) {

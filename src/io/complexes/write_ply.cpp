@@ -73,8 +73,10 @@ void write_ply(AtomicFile& file, const ComplexData& data) {
   const Surface surface(file, data);
   if (data.num_points() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
     fail(Errc::too_many, "{}: a .ply file numbers at most 2^31 - 1 points", file.name());
+  file.write("ply\nformat binary_little_endian 1.0\ncomment made by delone\n");
+  if (data.kind != DataKind::unknown) file.print("comment kind {}\n", name_of(data.kind));
   file.print(
-      "ply\nformat binary_little_endian 1.0\ncomment made by delone\nelement vertex {}\nproperty double x\n"
+      "element vertex {}\nproperty double x\n"
       "property double y\nproperty double z\n",
       data.num_points());
   if (surface.width() == 2)

@@ -30,6 +30,16 @@ void put_bytes(AtomicFile& file, T value) {
   file.write(little_endian_bytes(std::span<const T>(&value, 1), storage));
 }
 
+/// The beginning of the file, with a comment that says what it holds.
+void put_opening(AtomicFile& file, DataKind kind) {
+  file.write("<?xml version=\"1.0\"?>\n");
+  if (kind != DataKind::unknown) file.print("<!-- kind {} -->\n", name_of(kind));
+  file.write(
+      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+      "header_type=\"UInt64\">\n"
+      "  <UnstructuredGrid>\n");
+}
+
 template <class T>
 void append(std::string& bytes, T value) {
   std::string storage;
@@ -56,11 +66,7 @@ void write_vtu(AtomicFile& file, const VtuSimplices<Id>& data) {
                name, attributes, offset);
     offset += sizeof(std::uint64_t) + bytes;
   };
-  file.write(
-      "<?xml version=\"1.0\"?>\n"
-      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-      "header_type=\"UInt64\">\n"
-      "  <UnstructuredGrid>\n");
+  put_opening(file, data.kind);
   file.print("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", n, m);
   if (!data.rows.empty()) {
     file.write("      <PointData>\n");
@@ -106,7 +112,11 @@ template void write_vtu(AtomicFile&, const VtuSimplices<std::int32_t>&);
 template void write_vtu(AtomicFile&, const VtuSimplices<std::int64_t>&);
 
 void write_vtu(AtomicFile& file, const ComplexData& data) {
-  write_vtu(file, VtuSimplices<SignedIndex>{data.dimension, data.affine_dimension, data.points, data.cells});
+  write_vtu(file, VtuSimplices<SignedIndex>{.dimension = data.dimension,
+                                            .affine_dimension = data.affine_dimension,
+                                            .points = data.points,
+                                            .cells = data.cells,
+                                            .kind = data.kind});
 }
 
 void write_vtu(AtomicFile& file, const Diagram& diagram, const Box& box) {
@@ -167,11 +177,7 @@ void write_vtu(AtomicFile& file, const Diagram& diagram, const Box& box) {
     offset += sizeof(std::uint64_t) + bytes.size();
     appended.push_back(&bytes);
   };
-  file.write(
-      "<?xml version=\"1.0\"?>\n"
-      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-      "header_type=\"UInt64\">\n"
-      "  <UnstructuredGrid>\n");
+  put_opening(file, diagram.kind());
   file.print("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n      <CellData>\n", num_points,
              cells.size());
   array("Int64", "region", "", regions);

@@ -16,7 +16,11 @@ struct OffHeader {
   int dimension = 3;
   bool colours = false;
   std::uint64_t num_vertices = 0, num_cells = 0;
+  std::string_view comments;  ///< what is before the counts
 };
+
+/// How the comment begins that says what data the file holds; the name of the kind follows.
+inline constexpr std::string_view off_kind_comment = "# delone: ";
 
 /// Reads up to the counts and the end of their line.
 OffHeader read_off_header(TextCursor& at);

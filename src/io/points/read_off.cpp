@@ -2,6 +2,7 @@
 // Points and triangulations from OFF, COFF and nOFF. See off.hpp.
 #include "io/collect.hpp"
 #include "io/file.hpp"
+#include "io/known_kind.hpp"
 #include "io/points/off.hpp"
 #include "io/points/read_points.hpp"
 #include "io/text_cursor.hpp"
@@ -20,10 +21,23 @@ void require_room(const TextCursor& at, std::uint64_t count, std::string_view wh
          at.place(), count, what);
 }
 
+/// What comments say that the file holds.
+DataKind kind_in(std::string_view comments, const std::string& name) {
+  const auto at = comments.find(off_kind_comment);
+  if (at == std::string_view::npos) return DataKind::unknown;
+  const std::string_view rest = comments.substr(at + off_kind_comment.size());
+  const DataKind kind = known_kind(rest.substr(0, rest.find_first_of(" \t\r\n")), name);
+  if (kind > DataKind::hull_boundary)
+    fail(Errc::bad_format, "{}: the file says that it holds {}, which is not kept as OFF", name,
+         description_of(kind));
+  return kind;
+}
+
 }  // namespace
 
 OffHeader read_off_header(TextCursor& at) {
   OffHeader header;
+  const char* const start = at.position();
   const std::string_view keyword = at.next_token();
   if (keyword == "COFF") {
     header.colours = true;
@@ -40,6 +54,8 @@ OffHeader read_off_header(TextCursor& at) {
   if (std::string_view(at.position(), at.remaining()).starts_with("BINARY"))
     fail(Errc::unsupported, "{}: binary OFF is not supported", at.place());
   constexpr auto any = std::numeric_limits<std::uint64_t>::max();
+  at.find_content();
+  header.comments = {start, static_cast<std::size_t>(at.position() - start)};
   header.num_vertices = at.count("the number of vertices", any);
   header.num_cells = at.count("the number of faces", any);
   if (!at.skip_to_content()) at.count("the number of edges", any);
@@ -125,10 +141,14 @@ ComplexData read_off_complex(std::string_view bytes, const std::string& name) {
     while (!at.skip_to_content()) at.number("the colour of a face");
     at.take_line_end();
   }
+  const char* const end_of_faces = at.position();
   if (at.find_content())
     fail(Errc::bad_format, "{}: more than the {} faces promised: {}", at.place(), header.num_cells,
          in_quotes(at.rest_of_line()));
   data.affine_dimension = static_cast<int>(size) - 1;
+  data.kind = kind_in(header.comments, name);
+  if (data.kind == DataKind::unknown)
+    data.kind = kind_in({end_of_faces, static_cast<std::size_t>(at.end() - end_of_faces)}, name);
   return data;
 }
 

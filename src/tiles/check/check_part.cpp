@@ -135,7 +135,7 @@ std::size_t check_part(const CheckedPart& part, Reference& reference, const Chec
                        Findings& findings) {
   using namespace internal;
   const ComplexData& data = part.data;
-  Examined examined{data, part.corners(), false, options.threads};
+  Examined examined{data, part.corners(), Lift::paraboloid, options.threads};
   if (!passes(part, 1, findings, [&] { check_storage(data, false, options.threads); })) return 0;
   if (data.num_cells() == 0) return 0;
   examined.weighted_rows = weighted_rows(data);
