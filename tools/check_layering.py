@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks which room of the project includes which, the size of files and rooms, that the library never prints or ends the program,
-and that src/ holds only sources. The rules are the data below; docs/architecture.md explains them and has them as a table. Prints every violation as
-FILE:LINE, and exits with status 1 if there is one.
+"""Checks which room of the project includes which, that no two include each other, the size of files and rooms, that src/ holds only
+sources, that one page shows the algorithm of the report, and that the library never prints or ends the program. The rules are the
+data below; docs/architecture.md explains them and has them as a table. Prints every violation as FILE:LINE, and exits with
+status 1 if there is one.
 
 Usage: check_layering.py [--self-test | --write-table]      --write-table renews the table of docs/architecture.md
 """
 import pathlib
+import posixpath
 import re
 import sys
 
@@ -29,9 +31,9 @@ RULES = {
     "src/geometry/facet_search": (BASICS, {"src/geometry", "src/cells", "src/base"}),
     # Numbers of vertices in, numbers of vertices out: whose images they are, the geometry tells it.
     "src/geometry/hole_search": (BASICS, {"src/kernel", "src/base"}),
-    "src/engine": (BASICS | {"complex"}, {"src/engine/wrap", "src/engine/hole", "src/cells", "src/base"}),
+    "src/engine": (BASICS | {"complex"}, {"src/cells", "src/base"}),
     "src/engine/wrap": (BASICS, {"src/engine", "src/cells", "src/base"}),
-    "src/engine/hole": (BASICS | {"complex"}, {"src/engine", "src/engine/wrap", "src/geometry/hole_search", "src/cells", "src/base"}),
+    "src/engine/hole": (BASICS | {"complex"}, {"src/engine", "src/cells", "src/base"}),
     "src/compiled": (BASICS | {"complex"}, {"src/engine", "src/engine/wrap", "src/engine/hole", "src/geometry",
                                             "src/geometry/facet_search", "src/geometry/hole_search", "src/sites", "src/cells", "src/kernel",
                                             "src/base"}),
@@ -84,6 +86,11 @@ MOST_LINES_OF_FILE = 500
 # What may lie below src/: sources, templates of sources, and what CMake reads. Generated files have a place of their own, as
 # viewer/dist, or are made in the build.
 SOURCE_FILE = re.compile(r"(^|/)[a-z0-9_-]+\.([ch]pp|cpp\.in|hpp\.in|map\.in)$|(^|/)CMakeLists\.txt$")
+
+# The page that shows the algorithm of the report, and the sections that its comments name.
+ALGORITHM = "src/engine/build.hpp"
+MOST_LINES_OF_ALGORITHM = 60
+SECTIONS = {"§2.2", "§2.3", "§2.4", "§2.5", "§2.6", "§3.1"}
 
 # The page that has the rules as a table, and what is around the table there.
 PAGE = ROOT / "docs" / "architecture.md"
@@ -142,19 +149,20 @@ def include_violation(path, kind, target, exists):
     if kind == "<":
         foreign = room == "include/delone" and "." in target and not (path.endswith(".h") and target in C_HEADERS)
         return "a public header may not include a third-party header" if foreign else None
-    folder = path.rsplit("/", 1)[0] if "/" in path else ""
-    for base in [folder] + SEARCH:
-        candidate = str(pathlib.PurePosixPath(base) / target) if base else target
-        parts = []
-        for part in candidate.split("/"):
-            parts.pop() if part == ".." and parts else parts.append(part)
-        candidate = "/".join(parts)
+    found = find_included(path, target, exists)
+    other = room_of(found) if found else None  # none: generated, or third-party in quotes
+    if other is None or other == room or may_know(rooms, other):
+        return None
+    return f'{room} may not include "{target}" of {other}; it knows {", ".join(sorted(rooms)) or "public headers only"}'
+
+
+def find_included(path, target, exists):
+    """The file of the project that an include in quotes names, or None."""
+    for base in [path.rpartition("/")[0]] + SEARCH:
+        candidate = posixpath.normpath(posixpath.join(base, target))
         if exists(candidate):
-            other = room_of(candidate)
-            if other is None or other == room or may_know(rooms, other):
-                return None
-            return f'{room} may not include "{target}" of {other}; it knows {", ".join(sorted(rooms)) or "public headers only"}'
-    return None  # generated, or third-party in quotes
+            return candidate
+    return None
 
 
 def forbidden_in(path, line):
@@ -178,6 +186,7 @@ def table_of_rules():
 
 def violations():
     exists = lambda candidate: (ROOT / candidate).is_file()
+    includes = set()  # pairs of rooms
     for top in ("include", "src", "c", "mpi", "cli", "examples", "benchmarks", "tests"):
         for file in sources_of(top):
             path = file.relative_to(ROOT).as_posix()
@@ -189,11 +198,16 @@ def violations():
                 if found:
                     yield path, number, found
                 if path.startswith("src/"):
+                    included = include and include.group(1) == '"' and find_included(path, include.group(2), exists)
+                    if included and room_of(included) != room_of(path):
+                        includes.add((room_of(path), room_of(included)))
                     found = forbidden_in(path, bare[number - 1])
                     if found:
                         yield path, number, found
     if TABLE.findall(PAGE.read_text(encoding="utf-8")) != [table_of_rules()]:
         yield PAGE.relative_to(ROOT).as_posix(), 0, "the table of rules is not that of tools/check_layering.py, which --write-table writes"
+    yield from cycle_violations(includes - {("src/hull", "src/hull/tolerance"), ("src/hull/tolerance", "src/hull")})
+    yield from algorithm_violations((ROOT / ALGORITHM).read_text(encoding="utf-8"))
     yield from size_violations({file.relative_to(ROOT).as_posix(): len(file.read_text(encoding="utf-8").splitlines())
                                 for file in sources_of("src")})
 
@@ -210,6 +224,40 @@ def foreign_files(paths):
 
 def sources_of(top):
     return [file for file in sorted((ROOT / top).rglob("*")) if re.search(r"\.(cpp|hpp|c|h)(\.in)?$", file.name)]
+
+
+def cycle_violations(includes):
+    """Rooms of which one includes the other, perhaps by way of others, and the other way round. `includes`: pairs of rooms."""
+    known = {}
+    for room, other in includes:
+        known.setdefault(room, set()).add(other)
+    seen = {}  # the rooms that each reaches
+
+    def reached(room):
+        if room not in seen:
+            seen[room] = set()
+            todo = [room]
+            while todo:
+                for other in known.get(todo.pop(), ()):
+                    if other not in seen[room]:
+                        seen[room].add(other)
+                        todo.append(other)
+        return seen[room]
+
+    for room in sorted(known):
+        for other in sorted(known[room]):
+            if room in reached(other):
+                yield room, 0, f"{room} and {other} include each other"
+
+
+def algorithm_violations(text):
+    """The page that shows the algorithm does so in few lines, and names the sections of the report."""
+    lines = sum(1 for line in without_comments(text).split("\n") if line.strip() and not line.lstrip().startswith("#"))
+    if lines > MOST_LINES_OF_ALGORITHM:
+        yield ALGORITHM, 0, f"the algorithm takes {lines} lines of code; {MOST_LINES_OF_ALGORITHM} are the most"
+    missing = sorted(section for section in SECTIONS if section not in text)
+    if missing:
+        yield ALGORITHM, 0, f"no comment names {', '.join(missing)} of the report"
 
 
 def size_violations(lines_of_file):
@@ -264,6 +312,12 @@ def self_test():
     foreign = ["src/view/viewer.html", "src/kernel/constants.json", "src/notes.md", "src/view/page.js", "src/exports.map", "src/base/x.cpp.orig"]
     at_home = ["src/kernel/a.hpp", "src/order/b.cpp", "src/compiled/boundary_engine_instance.cpp.in", "src/exports.map.in", "src/CMakeLists.txt"]
     assert [path for path, _, _ in foreign_files([*foreign, *at_home])] == foreign
+    assert [path for path, _, _ in cycle_violations({("a", "b"), ("b", "c"), ("c", "a"), ("d", "a")})] == ["a", "b", "c"]
+    assert not list(cycle_violations({("a", "b"), ("a", "c"), ("b", "c")}))
+    sections = "// " + " ".join(sorted(SECTIONS)) + "\n"
+    assert not list(algorithm_violations(sections + "int x;\n\n// y\n" * MOST_LINES_OF_ALGORITHM))
+    assert list(algorithm_violations(sections + "int x;\n" * (MOST_LINES_OF_ALGORITHM + 1)))
+    assert list(algorithm_violations("int x;\n"))
     bad_lines = ["std::cout << 1;", "printf(x);", "std::fprintf(stderr, x);", "abort();", "  exit(1);", "fmt::print(x);"]
     good_lines = ["std::snprintf(b, n, x);", "on_exit(1);", "fmt::format(x);", "scope.exit(3);", "format_abort(x);"]
     assert all(include_violation(*case, there) for case in wrong), [c for c in wrong if not include_violation(*c, there)]

@@ -90,7 +90,9 @@ class EngineRun {
     const std::vector<Index> order = delone::order::automatic_order(points_, 0);
     vertices_.coordinates.reserve((order.size() + 1) * K);
     used_ = start(order);
-    build_.insert_all(Batch{*this, order});
+    Batch batch{*this, order};
+    for (Index v = batch.next(); v != delone::invalid_index; v = batch.next())
+      batch.placed(v, build_.insert(v));
   }
 
   /// The same by several workers (engine/parallel_insertion.hpp).
@@ -105,7 +107,7 @@ class EngineRun {
       if (!used_[row]) append(row);
     for (std::size_t& end : rounds) end -= std::min<std::size_t>(end, K + 1);
     std::vector<Index> at(order.size() - (K + 1));
-    const std::size_t few = std::min<std::size_t>(at.size(), build_.few_vertices);
+    const std::size_t few = std::min<std::size_t>(at.size(), delone::engine::few_vertices<K>);
     for (std::size_t i = 0; i < few; ++i) build_.insert(first + static_cast<Index>(i));
     const delone::engine::ParallelBatch batch{workers, first, at, rounds, [](std::size_t) {}};
     delone::engine::ParallelInsertion<K, Geometry, Schedule>(build_.insertion_parts(), batch,
@@ -119,7 +121,7 @@ class EngineRun {
 
  private:
   using Geometry = ObservedGeometry<K, Observer>;
-  /// What the engine's loop inserts.
+  /// The vertices one by one.
   struct Batch {
     EngineRun& run;
     const std::vector<Index>& order;
@@ -132,7 +134,7 @@ class EngineRun {
       run.observer_.begins(run.build_.star().empty() ? 1 : 2);
       return v;
     }
-    void placed(Index v, Index at, bool) {
+    void placed(Index v, Index at) {
       if (at == v)
         run.observer_.ends(run.build_.workspace());
       else  // a duplicate

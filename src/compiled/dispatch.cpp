@@ -4,7 +4,7 @@
 namespace delone {
 
 std::unique_ptr<TriangulationEngine> make_triangulation_engine(const std::vector<int>& axes,
-                                                               const VertexPoints& points,
+                                                               VertexPoints& points,
                                                                const geometry::Frame& frame,
                                                                const engine::Effort& effort,
                                                                bool force_runtime_dimension) {

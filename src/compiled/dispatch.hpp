@@ -10,7 +10,7 @@ namespace delone {
 /// The engine compiled for axes.size() dimensions, or the one for run-time dimensions beyond 8 and when asked
 /// for.
 std::unique_ptr<TriangulationEngine> make_triangulation_engine(const std::vector<int>& axes,
-                                                               const VertexPoints& points,
+                                                               VertexPoints& points,
                                                                const geometry::Frame& frame,
                                                                const engine::Effort& effort,
                                                                bool force_runtime_dimension);

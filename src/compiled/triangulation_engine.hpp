@@ -5,8 +5,9 @@
 #pragma once
 
 #include "engine/batch.hpp"
-#include "engine/hole/removal.hpp"
+#include "engine/change.hpp"
 #include "engine/workspace.hpp"
+#include "engine/wrap/is_worth_wrapping.hpp"
 #include "geometry/frame.hpp"
 #include "kernel/flat.hpp"
 #include "kernel/grid.hpp"
@@ -14,6 +15,8 @@
 #include <delone/complex.hpp>
 #include <delone/types.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -30,16 +33,21 @@ struct VertexPoints {
   int ambient;
   kernel::RowForm form;
   std::vector<double> coordinates;
-  std::size_t num_waiting = 0;  ///< how many of the points, at the end, are no vertices yet
   kernel::Grid grid;
 
   bool weighted() const { return form == kernel::RowForm::weighted_point; }
   std::size_t row_size() const { return static_cast<std::size_t>(ambient) + (weighted() ? 1 : 0); }
-  /// The largest vertex id; where points may be hidden some vertices have no cell.
-  Index last_vertex() const { return static_cast<Index>(coordinates.size() / row_size() - num_waiting) - 1; }
+  /// The largest vertex id. Some vertices may have no cell: those that are hidden, removed, or not inserted
+  /// yet.
+  Index last_vertex() const { return static_cast<Index>(coordinates.size() / row_size()) - 1; }
   /// What that may become without more memory.
   Index last_expected() const { return static_cast<Index>(coordinates.capacity() / row_size()) - 1; }
   const double* point(Index v) const { return coordinates.data() + static_cast<std::size_t>(v) * row_size(); }
+  /// Gives a vertex another point.
+  void set_point(Index v, const double* point) {
+    grid.include(point);
+    std::copy_n(point, row_size(), coordinates.begin() + static_cast<std::ptrdiff_t>(v * row_size()));
+  }
   /// A grid for the points and a query.
   kernel::Grid grid_with(const double* query) const {
     kernel::Grid larger = grid;
@@ -77,93 +85,87 @@ class TriangulationQueries {
   virtual std::size_t bytes() const = 0;
 };
 
-/// The same, while points are inserted, removed and moved.
+/// The same, while points are inserted, removed and moved. Vertices are ids of `points`.
 class TriangulationEngine : public TriangulationQueries {
  public:
   /// Starts from k+1 affinely independent vertices.
   virtual void seed(std::span<const Index> vertices) = 0;
-  /// Whether wrapping so many points costs less than inserting them. Only points of full dimension, neither
-  /// weighted nor sought for what is furthest, can be wrapped.
-  virtual bool is_worth_wrapping(std::size_t num_points) const = 0;
+  /// Starts from a triangulation of dimension k−1 and a vertex outside its flat.
+  virtual void jump(const Complex& old, Index apex) = 0;
+  /// Starts from a triangulation of the same points. Its cells keep their ids if it has no vacant slots.
+  virtual void restore(const Complex& old) = 0;
   /// Starts from all vertices, if they can be wrapped: returns false, and has no cells, where rounded numbers
   /// do not say how, and if there are ties. What only queries and insertions need is computed by the first of
   /// them, O(k³) per cell. The cells and their ids are the same for every number of threads. `tick` is called
-  /// often by this thread, with the fraction done; what it throws is passed on.
+  /// often by this thread, with the fraction done; what it throws is passed on. REQUIRES points of full
+  /// dimension, neither weighted nor furthest.
   virtual bool wrap(unsigned threads, const std::function<void(double)>& tick) = 0;
-  /// Starts from a triangulation of dimension k−1 and a vertex outside its flat.
-  virtual void jump(const Complex& old, Index q) = 0;
-  /// Starts from a triangulation of the same points. Its cells keep their ids if it has no vacant slots.
-  virtual void restore(const Complex& old) = 0;
-
   /// A copy that reads the points, which are the same, from another place.
-  virtual std::unique_ptr<TriangulationEngine> copy(const VertexPoints& points) const = 0;
-
+  virtual std::unique_ptr<TriangulationEngine> copy(VertexPoints& points) const = 0;
   /// Changing the frame recomputes all cached functionals.
   virtual void set_frame(geometry::Frame frame) = 0;
 
-  /// Inserts vertex v, starting at cell `start` or, if that is invalid, where the last insertion ended.
-  /// Returns v, or the vertex that is at the same point with the same weight, or invalid_index if v is
-  /// hidden.
-  virtual Index insert(Index v, Index start) = 0;
-  /// Inserts all vertices of a batch, each as insert() does.
-  virtual void insert_all(engine::Batch& batch) = 0;
-  /// Removes vertex v, one of whose cells is `cell`.
-  virtual engine::Removal remove(Index v, Index cell) = 0;
-  /// Whether several threads can insert a batch of so many vertices.
-  virtual bool shares_batches_of(std::size_t num_vertices) const = 0;
-  /// The same in several threads. REQUIRES that they can.
+  /// Inserts vertex v, starting at cell `start` or, if that is invalid, where the last insertion ended: done,
+  /// duplicate or hidden. Strong guarantee.
+  virtual engine::Change insert(Index v, Index start) = 0;
+  /// Inserts all vertices of a batch, in up to batch.threads threads where they can share cells. Does not
+  /// tell which vertices are swallowed. After an exception cells are of no use unless the batch is undone.
   virtual void insert_all(const engine::ParallelBatch& batch) = 0;
+  /// Removes vertex v, one of whose cells is `cell`: done, flat or costly. Strong guarantee.
+  virtual engine::Change remove(Index v, Index cell) = 0;
+  /// Moves vertex v, one of whose cells is `cell`, to a point in the frame, where it stays among its cells:
+  /// done, or costly if it cannot stay or many cells would change. Writes the point. Strong guarantee.
+  virtual engine::Change move(Index v, Index cell, const double* to) = 0;
+  /// The same after any vertices have got other points, in another frame if there is one, in up to `threads`
+  /// threads (Options::threads). If it is costly, or throws, the batch has to be undone before anything else
+  /// is done. REQUIRES begin_batch() and no change since.
+  virtual engine::Change move_all(std::optional<geometry::Frame> frame, unsigned threads) = 0;
+
   /// Gives vertices other ids: vertex v becomes new_ids[v], which may be invalid_index for those that have no
   /// cell. The points of the vertices have been moved by then. Throws std::bad_alloc, and then changes
   /// nothing.
   virtual void renumber_vertices(std::span<const Index> new_ids) = 0;
-  /// Gives cells ids that depend on the ids of their vertices alone, without gaps, where several threads may
+  /// Gives cells ids that depend on the ids of their vertices alone, without gaps, if several threads may
   /// have inserted a batch. Throws std::bad_alloc, and then changes nothing.
   virtual void sort_cells(unsigned threads) = 0;
-  /// After vertex v, one of whose cells is `cell`, has got another point in the frame: makes the cells those
-  /// of the new point, if they change little. Returns false if they do not; then no cell has changed, and
-  /// renew() has to be called as soon as the point is the old one.
-  virtual bool settle(Index v, Index cell) = 0;
-  /// The same after any vertices have moved, in another frame if there is one, in up to `threads` threads
-  /// (Options::threads). If it returns false, renew_all() has to be called.
-  virtual bool settle_all(std::optional<geometry::Frame> frame, unsigned threads) = 0;
-  /// The cells that settling has made; some of them may have gone again.
-  virtual std::span<const Index> made_by_settling() const = 0;
-  /// After settle(): the cells that the vertex had, and those that have gone.
-  virtual std::span<const Index> changed_by_settling() const = 0;
-  /// Says that a vertex that is in no cell, or whose cells will be renewed, has got another point.
-  virtual void rewrite_row(Index v) noexcept = 0;
-  /// Computes anew what is cached for the cells of vertex v, unless settle() was never called; or for all
-  /// cells.
-  virtual void renew(Index v, Index cell) noexcept = 0;
-  virtual void renew_all() noexcept = 0;
 
   /// What follows can be undone, until it is, or kept. `is_small`: it changes few of the cells, and does not
   /// use several threads. Throws, and then changes nothing.
   virtual void begin_batch(bool is_small = false) = 0;
   virtual void keep_batch() noexcept = 0;
-  /// Cells are what they were, in their slots. A frame or box that has become larger stays so. `put_back` is
-  /// called with each cell that had gone, and must not throw.
-  virtual void undo_batch(const std::function<void(Index)>& put_back = [](Index) {}) noexcept = 0;
-  /// The cells that have gone and come since the beginning of the batch. A cell that has come may have the id
-  /// of one that has gone.
-  virtual void changed_cells(std::vector<CellId>& gone, std::vector<CellId>& come) const = 0;
+  /// Makes the cells what they were, in their slots. A frame or box that has become larger stays so. `moved`:
+  /// the vertices that have had other points meanwhile, and have their old points again. `put_back` is called
+  /// with each cell that was gone, and must not throw.
+  virtual void undo_batch(
+      std::span<const Index> moved = {},
+      const std::function<void(Index)>& put_back = [](Index) {}) noexcept = 0;
+  /// The cells that are gone since the beginning of the batch, and those that are new, some perhaps in the
+  /// slots of the former.
+  virtual void changed_cells(std::vector<CellId>& gone, std::vector<CellId>& made) const = 0;
 
-  /// The facets that the cells of the last insertion were made from.
-  virtual std::span<const HorizonFacet> star() const = 0;
-  /// The cells that gave way at the last insertion or removal, and those that the last removal has made.
-  virtual std::span<const Index> replaced() const = 0;
-  virtual std::span<const Index> made_by_removal() const = 0;
-  /// Whether insertions find out which vertices lose all their cells. At first they do not: it costs.
-  virtual void track_swallowed(bool wanted) = 0;
-  /// The vertices that the last insertion took all cells from, if that was tracked.
-  virtual std::span<const Index> swallowed() const = 0;
+  /// Whether several threads can insert a batch of so many vertices.
+  bool shares_batches_of(std::size_t num_vertices) const { return num_vertices > few_vertices_; }
+  /// Whether wrapping so many points costs less than inserting them.
+  bool is_worth_wrapping(std::size_t num_points) const {
+    return is_wrappable_ && engine::is_worth_wrapping(dimension_, num_points);
+  }
+
+ protected:
+  /// `is_wrappable`: points have full dimension, and are neither weighted nor furthest. `few_vertices`: so
+  /// many are inserted by one thread.
+  TriangulationEngine(int dimension, bool is_wrappable, std::size_t few_vertices)
+      : dimension_(dimension), is_wrappable_(is_wrappable), few_vertices_(few_vertices) {}
+
+ private:
+  int dimension_;
+  bool is_wrappable_;
+  std::size_t few_vertices_;
 };
 
 /// An engine for the flat that projects one-to-one on `axes`. K = axes.size(), or 0 for any number of axes.
 template <int K>
 std::unique_ptr<TriangulationEngine> make_triangulation_engine(const std::vector<int>& axes,
-                                                               const VertexPoints& points,
+                                                               VertexPoints& points,
                                                                const geometry::Frame& frame,
                                                                const engine::Effort& effort);
 

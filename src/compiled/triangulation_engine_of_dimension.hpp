@@ -6,13 +6,17 @@
 #include "compiled/queries.hpp"
 #include "compiled/triangulation_engine.hpp"
 #include "engine/build.hpp"
-#include "engine/hole/settling.hpp"
+#include "engine/hole/relocation.hpp"
+#include "engine/wrap/wrap.hpp"
 #include "geometry/delaunay_geometry.hpp"
 
 #include <delone/error.hpp>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <new>
@@ -28,107 +32,121 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
   using Query = typename Geometry::Query;
 
  public:
-  TriangulationEngineOfDimension(const std::vector<int>& axes, const VertexPoints& points,
+  TriangulationEngineOfDimension(const std::vector<int>& axes, VertexPoints& points,
                                  const geometry::Frame& frame, const engine::Effort& effort)
-      : points_(points),
+      : TriangulationEngine(static_cast<int>(axes.size()),
+                            K == points.ambient && points.form == kernel::RowForm::point,
+                            is_shared && points.form != kernel::RowForm::furthest_point
+                                ? engine::few_vertices<K>
+                                : std::numeric_limits<std::size_t>::max()),
+        points_(points),
         build_(static_cast<int>(axes.size()), ids_for(points.last_expected()), axes, points.ambient,
                points.coordinates, points.grid, frame) {
     build_.effort() = effort;
   }
 
   void seed(std::span<const Index> vertices) override {
-    geometry().set_rows(points_.last_vertex());
+    geometry().set_rows(*std::max_element(vertices.begin(), vertices.end()));
     std::vector<Index> oriented(vertices.begin(), vertices.end());
     if (geometry().orientation(oriented.data()) == Sign::negative) std::swap(oriented[0], oriented[1]);
     build_.seed(oriented);
   }
-  bool is_worth_wrapping(std::size_t num_points) const override {
-    return points_.form == kernel::RowForm::point && K == points_.ambient &&
-           engine::is_worth_wrapping(K, num_points);
-  }
-  bool wrap([[maybe_unused]] unsigned threads,
-            [[maybe_unused]] const std::function<void(double)>& tick) override {
-    if constexpr (K >= 2)
-      if (build_.wrap(PointsToWrap<K>(points_, cells(), geometry()), threads, tick))
-        lacks_functionals_ = true;
-    return lacks_functionals_;
-  }
-  void jump(const Complex& old, Index q) override {
-    geometry().set_rows(points_.last_vertex());
+  void jump(const Complex& old, Index apex) override {
+    geometry().set_rows(std::max(old.num_vertex_slots() - 1, apex));
     const CellId finite = *old.finite_cells().begin();
     std::vector<Index> simplex;
     for (int i = 0; i <= old.affine_dimension(); ++i) simplex.push_back(index(old.vertex(finite, i)));
-    simplex.push_back(q);
-    build_.jump(old, q, geometry().orientation(simplex.data()) == Sign::positive);
+    simplex.push_back(apex);
+    build_.jump(old, apex, geometry().orientation(simplex.data()) == Sign::positive);
   }
   void restore(const Complex& old) override {
     geometry().set_rows(points_.last_vertex());
     build_.restore(old);
   }
+  bool wrap([[maybe_unused]] unsigned threads,
+            [[maybe_unused]] const std::function<void(double)>& tick) override {
+    if constexpr (K >= 2) {
+      const bool is_wrapped =
+          engine::wrap(build_, PointsToWrap<K>(points_, cells(), geometry()), threads, tick);
+      if (is_wrapped) functionals_ = Functionals::lacking;
+      return is_wrapped;
+    }
+    return false;
+  }
 
-  std::unique_ptr<TriangulationEngine> copy(const VertexPoints& points) const override {
+  std::unique_ptr<TriangulationEngine> copy(VertexPoints& points) const override {
     const std::lock_guard lock(creating_functionals_);
     auto result =
         std::make_unique<TriangulationEngineOfDimension>(geometry().axes(), points, frame(), effort());
     result->geometry().set_rows(points.last_vertex());
     result->build_.copy_cells(build_);
-    result->lacks_functionals_ = lacks_functionals_.load();
+    result->functionals_ = functionals_.load();
     return result;
   }
 
   const geometry::Frame& frame() const override { return geometry().frame(); }
   void set_frame(geometry::Frame frame) override {
     geometry().set_frame(std::move(frame), points_.last_vertex());
-    if (!lacks_functionals_) build_.create_functionals();
+    if (functionals_ == Functionals::lacking) return;
+    build_.create_functionals();
+    functionals_ = Functionals::ready;
   }
 
-  Index insert(Index v, Index start) override {
+  engine::Change insert(Index v, Index start) override {
     need_functionals();
-    return build_.insert(v, start);
+    engine::Workspace& work = build_.workspace();
+    work.tracks_swallowed = points_.form != kernel::RowForm::point;
+    const Index at = build_.insert(v, start);
+    work.tracks_swallowed = false;
+    if (at == invalid_index) return {engine::Outcome::hidden};
+    if (at != v) return {engine::Outcome::duplicate, at};
+    made_.clear();
+    for (const HorizonFacet& facet : work.star()) made_.push_back(facet.created);
+    return {engine::Outcome::done, v, gone(), made_, work.swallowed};
   }
-  void insert_all(engine::Batch& batch) override {
+  void insert_all(const engine::ParallelBatch& batch) override {
     need_functionals();
     build_.insert_all(batch);
   }
-  engine::Removal remove(Index v, Index cell) override {
+  engine::Change remove(Index v, Index cell) override {
     need_functionals();
-    return build_.remove(v, cell, edits().filler);
+    const engine::Outcome outcome = engine::remove(build_, v, cell, edits().filler);
+    if (outcome != engine::Outcome::done) return {outcome};
+    return {outcome, invalid_index, gone(), edits().filler.created()};
   }
-  bool settle(Index v, Index cell) override {
+  engine::Change move(Index v, Index cell, const double* to) override {
     need_functionals();
+    auto& relocation = edits().relocation;
+    const double* const from = points_.point(v);
+    before_.assign(from, from + points_.row_size());
+    const auto take_back = [&]() noexcept {
+      points_.set_point(v, before_.data());
+      geometry().rewrite_row(v);
+      for (const Index around : relocation.star()) engine::create_functional(cells(), geometry(), around);
+    };
+    points_.set_point(v, to);
     geometry().rewrite_row(v);
-    return edits().settling.settle(v, cell);
+    try {
+      const engine::Change change = relocation.relocate(v, cell);
+      if (change.is_done())
+        note_renewed(change.gone);
+      else
+        take_back();
+      return change;
+    } catch (...) {
+      take_back();
+      throw;
+    }
   }
-  bool settle_all(std::optional<geometry::Frame> frame, unsigned threads) override {
+  engine::Change move_all(std::optional<geometry::Frame> frame, unsigned threads) override {
     need_functionals();
-    auto& settling = edits().settling;
+    auto& relocation = edits().relocation;
+    renews_all_ = true;
     if (frame)
       geometry().set_frame(std::move(*frame), points_.last_vertex());
     else
       geometry().rewrite_rows(points_.last_vertex());
-    return settling.settle_all(threads, [this] { return query_inside(); });
-  }
-  std::span<const Index> made_by_settling() const override { return edits_->settling.created(); }
-  std::span<const Index> changed_by_settling() const override { return edits_->settling.changed(); }
-  void rewrite_row(Index v) noexcept override { geometry().rewrite_row(v); }
-  void renew(Index v, Index cell) noexcept override {
-    geometry().rewrite_row(v);
-    if (edits_) edits_->settling.renew(v, cell);  // else nothing has been computed
-  }
-  void renew_all() noexcept override {
-    geometry().rewrite_rows(points_.last_vertex());
-    build_.create_functionals();
-  }
-  bool shares_batches_of(std::size_t num_vertices) const override {
-    if constexpr (is_shared)
-      return points_.form != kernel::RowForm::furthest_point && num_vertices > decltype(build_)::few_vertices;
-    return false;
-  }
-  void insert_all([[maybe_unused]] const engine::ParallelBatch& batch) override {
-    if constexpr (is_shared) {
-      need_functionals();
-      build_.insert_all(batch);
-    }
+    return relocation.relocate_all(threads, [this] { return query_inside(); });
   }
   void renumber_vertices(std::span<const Index> new_ids) override {
     geometry().prepare_rows(points_.last_vertex());
@@ -138,26 +156,27 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
   void sort_cells([[maybe_unused]] unsigned threads) override {
     if constexpr (is_shared) build_.sort_cells({points_.last_vertex() + 1, points_.weighted()}, threads);
   }
+
   void begin_batch(bool is_small) override {
     need_functionals();
     build_.begin_batch(is_small);
+    renewed_.clear();
+    renews_all_ = false;
   }
-  void changed_cells(std::vector<CellId>& gone, std::vector<CellId>& come) const override {
-    build_.changed_cells(gone, come);
+  void changed_cells(std::vector<CellId>& gone, std::vector<CellId>& made) const override {
+    build_.changed_cells(gone, made);
   }
   void keep_batch() noexcept override { build_.keep_batch(); }
-  void undo_batch(const std::function<void(Index)>& put_back) noexcept override {
+  void undo_batch(std::span<const Index> moved,
+                  const std::function<void(Index)>& put_back) noexcept override {
     build_.undo_batch(put_back);
+    for (const Index v : moved) geometry().rewrite_row(v);
+    if (renews_all_) functionals_ = Functionals::outdated;
+    if (functionals_ != Functionals::ready) return;
+    for (const Index cell : renewed_)
+      if (cell < cells().num_slots() && !cells().is_vacant(cell))
+        engine::create_functional(cells(), geometry(), cell);
   }
-
-  std::span<const HorizonFacet> star() const override { return build_.star(); }
-  std::span<const Index> replaced() const override {
-    const engine::ConflictZone& zone = build_.workspace().zone;
-    return {zone.cells.data(), zone.num_cells};
-  }
-  std::span<const Index> made_by_removal() const override { return edits_->filler.created(); }
-  void track_swallowed(bool wanted) override { build_.workspace().tracks_swallowed = wanted; }
-  std::span<const Index> swallowed() const override { return build_.workspace().swallowed; }
 
   QueryLocation locate(const double* query, Index start) const override {
     need_functionals();
@@ -198,19 +217,40 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
   Geometry& geometry() { return build_.geometry(); }
   const engine::CellStore<K>& cells() const { return build_.cells(); }
 
-  /// Makes the functionals of wrapped cells when they are first needed. Throws Errc::out_of_memory, and
-  /// then changes nothing.
+  /// The cells that the last insertion or removal replaced.
+  std::span<const Index> gone() const {
+    const engine::ConflictZone& zone = build_.workspace().zone;
+    return {zone.cells.data(), zone.num_cells};
+  }
+  /// Of the cells of a vertex that has moved. What undoing has to compute.
+  void note_renewed(std::span<const Index> renewed) noexcept {
+    if (!build_.log().is_on()) return;
+    try {
+      renewed_.insert(renewed_.end(), renewed.begin(), renewed.end());
+    } catch (const std::bad_alloc&) {
+      renews_all_ = true;
+    }
+  }
+
+  /// Makes functionals when they are first needed: of wrapped cells, and after many vertices have moved back.
+  /// Throws Errc::out_of_memory, and then changes nothing.
   void need_functionals() const {
-    if (!lacks_functionals_.load(std::memory_order_acquire)) [[likely]]
+    if (functionals_.load(std::memory_order_acquire) == Functionals::ready) [[likely]]
       return;
     const std::lock_guard lock(creating_functionals_);
-    if (!lacks_functionals_.load(std::memory_order_relaxed)) return;
-    try {
-      create_functionals_of_wrapped();
-    } catch (const std::bad_alloc&) {
-      throw Error(Errc::out_of_memory, "not enough memory for what queries and insertions need");
+    const Functionals now = functionals_.load(std::memory_order_relaxed);
+    if (now == Functionals::ready) return;
+    if (now == Functionals::outdated) {
+      build_.geometry().rewrite_rows(points_.last_vertex());
+      build_.create_functionals();
+    } else {
+      try {
+        create_functionals_of_wrapped();
+      } catch (const std::bad_alloc&) {
+        throw Error(Errc::out_of_memory, "not enough memory for what queries and insertions need");
+      }
     }
-    lacks_functionals_.store(false, std::memory_order_release);
+    functionals_.store(Functionals::ready, std::memory_order_release);
   }
 
   /// Many at a time. REQUIRES that all slots are cells.
@@ -240,9 +280,9 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
   /// What edits keep from one to the next.
   struct Edits {
     explicit Edits(engine::Build<K, Geometry>& build)
-        : filler(build.cells(), build.geometry()), settling(build, filler) {}
+        : filler(build.cells(), build.geometry()), relocation(build, filler) {}
     engine::HoleFiller<K, Geometry> filler;
-    engine::Settling<K, Geometry> settling;
+    engine::Relocation<K, Geometry> relocation;
   };
   Edits& edits() {
     if (!edits_) edits_ = std::make_unique<Edits>(build_);
@@ -273,20 +313,26 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
   }
 
   /// Whether several threads may insert at once.
-  static constexpr bool is_shared = K >= 2 && K <= 6;
+  static constexpr bool is_shared = engine::is_shareable(K);
 
-  const VertexPoints& points_;
+  VertexPoints& points_;
   std::unique_ptr<Edits> edits_;  // from the first edit on
+  std::vector<Index> made_;       // by the last insertion
+  std::vector<double> before_;    // the point of a vertex that moves
+  std::vector<Index> renewed_;    // cells that a move in place has left, since the beginning of the batch …
+  bool renews_all_ = false;       // … or all
   std::vector<double> inside_;    // the point of query_inside()
   kernel::Grid grid_inside_ = points_.grid;
   mutable engine::Build<K, Geometry> build_;  // mutable for need_functionals() alone
-  mutable std::atomic<bool> lacks_functionals_ = false;
+  /// Of cells: computed, not yet computed, or of other points.
+  enum class Functionals : std::uint8_t { ready, lacking, outdated };
+  mutable std::atomic<Functionals> functionals_ = Functionals::ready;
   mutable std::mutex creating_functionals_;
 };
 
 template <int K>
 std::unique_ptr<TriangulationEngine> make_triangulation_engine(const std::vector<int>& axes,
-                                                               const VertexPoints& points,
+                                                               VertexPoints& points,
                                                                const geometry::Frame& frame,
                                                                const engine::Effort& effort) {
   return std::make_unique<TriangulationEngineOfDimension<K>>(axes, points, frame, effort);

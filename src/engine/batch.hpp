@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the loops of build.hpp and parallel_insertion.hpp are given where the dimension is not known to the
-// compiler.
+// Vertices to be inserted, as the loops of build.hpp and parallel_insertion.hpp are given them.
 #pragma once
 
 #include "base/parallel.hpp"
@@ -27,22 +26,24 @@ class Batch {
   ~Batch() = default;
 };
 
-/// Vertices to be inserted by several threads at once.
+/// Vertices to be inserted.
 struct ParallelBatch {
-  unsigned threads;
+  unsigned threads;     ///< several are used once there are enough cells for them
   Index first;          ///< vertices first, first + 1, …, in the order of insertion; but see `steps`
-  std::span<Index> at;  ///< receives, for each, what Batch::placed() is told
-  std::span<const std::size_t>
-      rounds;  ///< where stretches of the order end that cover the whole set, ascending
+  std::span<Index> at;  ///< receives, for each, the vertex at its point, or invalid_index if it is hidden
+  /// Where stretches of the order end that cover the whole set, ascending. One thread does not need them.
+  std::span<const std::size_t> rounds = {};
   /// Called often in the calling thread, and in no other, with the number of vertices inserted. May throw to
   /// end the batch.
   std::function<void(std::size_t done)> tick = {};
 
   /// If not empty, the vertices are first + steps[0], first + steps[1], …
   std::span<const Index> steps = {};
-  std::size_t num_before = 0;     ///< with steps: about how many vertices there are
-  std::span<char> strictly = {};  ///< if not empty, receives 1 where placed() is told so, else 0
+  std::size_t num_before = 0;  ///< with steps: about how many vertices there are
+  /// If not empty, receives 1 for each vertex that is certainly on the hyperplane of no cell, else 0.
+  std::span<char> strictly = {};
 
+  std::size_t size() const { return at.size(); }
   Index vertex(std::size_t i) const { return first + (steps.empty() ? static_cast<Index>(i) : steps[i]); }
   /// The greatest id. REQUIRES a vertex.
   Index last_vertex() const {

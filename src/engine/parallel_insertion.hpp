@@ -38,6 +38,27 @@
 
 namespace delone::engine {
 
+/// Cells of so many dimensions may be shared, if the geometry can be copied for a thread.
+constexpr bool is_shareable(int k) { return k >= 2 && k <= 6; }
+template <int K, class G>
+constexpr bool is_shared = is_shareable(K) && requires {
+  typename G::ForThread;
+};
+
+/// So few vertices have too few cells for several threads …
+constexpr std::size_t few_vertices_of(int k) {
+  return k <= 4 ? 16 * static_cast<std::size_t>(k) : k == 5 ? 150 : 200;
+}
+template <int K>
+constexpr std::size_t few_vertices = few_vertices_of(K);
+/// … unless there are as many cells as so many vertices have if they are spread evenly.
+template <int K>
+constexpr std::size_t many_cells = K == 2   ? 64
+                                   : K == 3 ? 300
+                                   : K == 4 ? 1600
+                                   : K == 5 ? 12000
+                                            : 60000;
+
 /// The slots that no worker has yet: each takes many at a time.
 template <int K>
 class SharedSlots {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Replaces a conflict zone by the star of the new vertex (§2.6 of the report): one new cell per horizon
-// facet, linked along the ridges of the horizon by hashing; or as in the report, by rotating about them
-// through the dead cells.
+// facet, linked along the ridges of the horizon by hashing. (The report rotates about each ridge through the
+// dead cells, which is a walk in memory of its own; hashing streams.)
 #pragma once
 
 #include "engine/conflict_zone.hpp"
@@ -24,35 +24,6 @@ struct Filling {
 /// How many cells of a star are created at a time, so that their records, and those of the cells they are
 /// made from, stay in the cache through all steps.
 constexpr std::size_t star_block = 128;
-
-/// Links the created cells of a star by rotating about each ridge, from the dead cell of the facet through
-/// the zone until the horizon (Boissonnat and Teillaud 1993, doi:10.1016/0304-3975(93)90024-N). REQUIRES that
-/// no dead cell has been released.
-template <int K>
-void link_by_rotation(CellStore<K>& cells, std::span<const HorizonFacet> facets) {
-  // Within the zone, a dead cell gets the new cell in place of the neighbor across each of its horizon
-  // facets.
-  for (const HorizonFacet& facet : facets) cells.neighbors(facet.dead)[facet.slot] = facet.created;
-  for (const HorizonFacet& facet : facets)
-    for (int slot = 0; slot <= cells.dimension(); ++slot) {
-      if (slot == facet.slot) continue;
-      Index cell = facet.dead;
-      int cross = slot;  // the facet to leave `cell` by: it contains the ridge, as does the facet opposite
-                         // slot `other`
-      int other = facet.slot;
-      for (;;) {
-        const Index next = cells.neighbors(cell)[cross];
-        if (cells.mark(next) != Mark::in_conflict) {  // a new cell, made from facet `cross`
-          cells.neighbors(facet.created)[slot] = next;
-          break;
-        }
-        const int entry = cells.slot_of_neighbor(next, cell);
-        cross = cells.slot_of_vertex(next, cells.vertex(cell, other));
-        other = entry;
-        cell = next;
-      }
-    }
-}
 
 /// Gives the cells of the star their slots. The cell that is made from the last facet of a dead cell takes
 /// its place; what is made before from other facets of it gets the slot of a dead cell that has none, or a
@@ -112,6 +83,31 @@ void find_swallowed(const CellStore<K>& cells, const ConflictZone& zone, std::ve
   std::set_difference(all.begin(), all.end(), kept.begin(), kept.end(), std::back_inserter(swallowed));
 }
 
+/// Creates triangles first … last − 1 of a star. They have too few ids for vectors of them, as create_cells()
+/// uses. `dead`: the cells in conflict, and what their functionals are at the new vertex.
+inline void create_triangles(CellStore<2>& cells, Index v, const DeadCells& dead,
+                             std::span<HorizonFacet> facets, RidgeTable& ridges, std::size_t first,
+                             std::size_t last) {
+  for (std::size_t f = first; f < last; ++f) {
+    if (f + 8 < facets.size()) cells.prefetch(facets[f + 8].survivor);
+    HorizonFacet& facet = facets[f];
+    const Index from = dead.cells[facet.dead], survivor = facet.survivor, created = facet.created;
+    const int slot = facet.slot;
+    const Index* const dead_vertices = cells.wide_vertices(from);
+    facet.dead_opposite = dead_vertices[slot];  // the new cell may be where the dead one is
+    ridges.note(static_cast<std::uint32_t>(f), dead_vertices, slot);
+    Index* const vertices = cells.wide_vertices(created);
+    for (int i = 0; i <= 2; ++i) vertices[i] = dead_vertices[i];
+    vertices[slot] = v;
+    cells.neighbors(created)[slot] = survivor;
+    const int mirror = cells.slot_of_neighbor(survivor, from);
+    cells.neighbors(survivor)[mirror] = created;
+    facet.dead_value = dead.values[facet.dead];
+    facet.dead = from;
+    facet.survivor_opposite = cells.vertex(survivor, mirror);
+  }
+}
+
 /// Kills the zone and creates the star of vertex v at q; takes the marks back. If memory or ids run out it
 /// throws before anything has changed, the marks included. If that is tracked, finds the vertices that lose
 /// all their cells.
@@ -126,39 +122,15 @@ Filling retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename 
   ridges.reserve(zone.num_facets, k);
   geometry.reserve_star(v, std::min(zone.num_facets, star_block));
   const std::span<HorizonFacet> facets{zone.horizon.data(), zone.num_facets};
-  if (ridges.hashes()) {
-    replace_slots(cells, geometry, zone);
-  } else {  // rotation goes through all of the zone
-    cells.reserve_vacancies(zone.num_cells);
-    cells.reserve(zone.num_facets);
-    for (HorizonFacet& facet : facets) facet.created = cells.allocate();
-  }
+  replace_slots(cells, geometry, zone);
 
   for (std::size_t first = 0; first < facets.size(); first += star_block) {
     const std::size_t last = std::min(first + star_block, facets.size());
-    if constexpr (K == 2) {  // too few facets for vectors of ids
-      for (std::size_t f = first; f < last; ++f) {
-        if (f + 8 < facets.size()) cells.prefetch(facets[f + 8].survivor);
-        HorizonFacet& facet = facets[f];
-        const Index dead = zone.cells[facet.dead], survivor = facet.survivor, created = facet.created;
-        const int slot = facet.slot;
-        const Index* const dead_vertices = cells.wide_vertices(dead);
-        facet.dead_opposite = dead_vertices[slot];  // the new cell may be where the dead one is
-        ridges.note(static_cast<std::uint32_t>(f), dead_vertices, slot);
-        Index* const vertices = cells.wide_vertices(created);
-        for (int i = 0; i <= k; ++i) vertices[i] = dead_vertices[i];
-        vertices[slot] = v;
-        cells.neighbors(created)[slot] = survivor;
-        const int mirror = cells.slot_of_neighbor(survivor, dead);
-        cells.neighbors(survivor)[mirror] = created;
-        facet.dead_value = zone.values[facet.dead];
-        facet.dead = dead;
-        facet.survivor_opposite = cells.vertex(survivor, mirror);
-      }
-    } else {
-      create_cells(cells.links(), v, {zone.cells.data(), zone.values.data()},
-                   facets.subspan(first, last - first), work.shares_survivors);
-    }
+    const DeadCells dead{zone.cells.data(), zone.values.data()};
+    if constexpr (K == 2)
+      create_triangles(cells, v, dead, facets, ridges, first, last);
+    else
+      create_cells(cells.links(), v, dead, facets.subspan(first, last - first), work.shares_survivors);
     ridges.hash(cells, facets, first, last);
     try {
       for (const std::uint32_t f : geometry.create_star(v, q, facets.subspan(first, last - first))) {
@@ -173,15 +145,7 @@ Filling retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename 
         geometry.give_up(facets[f].created, cells.infinite_slot(facets[f].created) >= 0);
     }
   }
-  if (ridges.hashes()) {
-    ridges.link(cells, facets);
-  } else {
-    link_by_rotation(cells, facets);
-    for (std::size_t i = 0; i < zone.num_cells; ++i) {
-      zone.num_infinite += geometry.is_infinite(zone.cells[i]) ? 1 : 0;
-      cells.release(zone.cells[i]);
-    }
-  }
+  ridges.link(cells, facets);
   // Created cells have no marks.
   if (work.cells_have_marks)
     for (std::size_t i = 0; i < zone.num_marked; ++i) cells.marks().set(zone.marked[i], Mark::unseen);

@@ -32,10 +32,8 @@ namespace delone::engine {
 
 class RidgeTable {
  public:
-  /// `rounds`: how often half-ridges are hashed before they are compared. 0: the caller links cells by other
-  /// means.
+  /// `rounds`: how often half-ridges are hashed before they are compared.
   explicit RidgeTable(int rounds = 6) : rounds_(rounds) {}
-  bool hashes() const { return rounds_ > 0; }
 
   /// Makes room for the star over `facets` facets of cells of dimension k. Throws std::bad_alloc.
   void reserve(std::size_t facets, int k) {
@@ -52,12 +50,11 @@ class RidgeTable {
   template <int K>
   void hash(CellStore<K>& cells, std::span<const HorizonFacet> facets, std::size_t first, std::size_t last) {
     if constexpr (K == 2) return;  // link() does it for the few stars of triangles that need it
-    if (!hashes()) return;
     const RidgeEntries table = narrow_table(facets.size(), cells.dimension());
     hash_ridges(cells.links(), facets, first, last, hashes_.data(), created_.data(),
                 table.entries != nullptr ? &table : nullptr);
   }
-  /// Links the created cells of all facets across their ridges, once all are hashed. REQUIRES hashes().
+  /// Links the created cells of all facets across their ridges, once all are hashed.
   template <int K>
   void link(CellStore<K>& cells, std::span<const HorizonFacet> facets);
 

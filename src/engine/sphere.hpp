@@ -8,6 +8,8 @@
 #include "engine/create_functionals.hpp"
 #include "engine/geometry_concept.hpp"
 #include "engine/locate.hpp"
+#include "engine/parallel_insertion.hpp"
+#include "engine/retriangulate.hpp"
 #include "engine/sort_cells.hpp"
 #include "engine/undo_log.hpp"
 #include "engine/workspace.hpp"
@@ -15,6 +17,7 @@
 #include <delone/types.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -47,6 +50,7 @@ class Sphere {
   /// A cell near the last insertion, or where the last walk ended.
   Index last_cell() const { return work_.last_cell; }
   std::span<const HorizonFacet> star() const { return work_.star(); }
+  UndoLog<K>& log() { return log_; }
   Workspace& workspace() { return work_; }
   const Workspace& workspace() const { return work_; }
 
@@ -116,11 +120,56 @@ class Sphere {
   /// Computes the functionals of all cells anew.
   void create_functionals() { engine::create_functionals(cells_, geometry_); }
 
- protected:
-  /// Where a walk to q starts: near the last insertion.
-  Index start_near(const Query& q) const {
-    return work_.star().empty() ? work_.last_cell : start_in_star(geometry_, q, work_.star());
+  /// What insertions by several workers change.
+  InsertionParts<K, G> insertion_parts() {
+    return {memory_, cells_,        geometry_,      log_.is_on() ? &log_ : nullptr,
+            effort_, num_infinite_, work_.last_cell};
   }
+
+  /// Walks to q (§2.5 of the report) from cell `start`, or if that is invalid from near the last insertion.
+  WalkResult walk_to(const Query& q, Index start) {
+    if (start == invalid_index)
+      start = work_.star().empty() ? work_.last_cell : start_in_star(geometry_, q, work_.star());
+    work_.clear();
+    const WalkResult found = locate(cells_, geometry_, q, start, effort_.stages);
+    effort_.visited_cells += found.visited;
+    work_.last_cell = found.cell;
+    work_.is_strictly_hidden = found.strictly;
+    return found;
+  }
+  /// The cells of the zone, which find_zone() writes to the workspace, give way to cells that fill its place:
+  /// fill() makes them, and returns them as a Filling, perhaps optional; if there is none, nothing has
+  /// changed. Returns whether it was there. Strong guarantee, if both give it.
+  template <class FindZone, class Fill>
+  bool replace_zone(FindZone&& find_zone, Fill&& fill) {
+    try {
+      find_zone();
+      if (log_.is_on()) log_.note(cells_, {work_.zone.cells.data(), work_.zone.num_cells});
+      if (const std::optional<Filling> made = fill()) {
+        effort_.created_cells += made->num_cells;
+        num_infinite_ += made->num_infinite - static_cast<Index>(work_.zone.num_infinite);
+        work_.last_cell = made->cell;
+        return true;
+      }
+    } catch (...) {
+      abandon_zone();
+      throw;
+    }
+    abandon_zone();
+    return false;
+  }
+
+  /// Whether v is certainly in conflict with no cell, by cached functionals alone; false says nothing. Walks
+  /// from a cell, and sets it to where the walk has ended.
+  bool is_surely_hidden(Index v, Index& cell) const {
+    if (!geometry_.can_walk()) return false;
+    const auto [outcome, near] = approach(cells_, geometry_, geometry_.query_at(v), cell);
+    cell = near.cell;
+    return outcome == Descent::hidden;
+  }
+  /// The same, from where the last walk ended.
+  bool is_surely_hidden(Index v) { return is_surely_hidden(v, work_.last_cell); }
+
   /// After cells were made otherwise than by an insertion.
   void starts_with(Index num_infinite, Index created) {
     effort_.created_cells += created;
@@ -128,6 +177,23 @@ class Sphere {
     work_.clear();
     work_.last_cell = 0;
   }
+
+  /// Whether the rest of a batch, of which some vertices are inserted, is for several threads.
+  bool has_work_for_threads(const ParallelBatch& batch, std::size_t num_done) const {
+    if constexpr (is_shared<K, G>)
+      return batch.threads > 1 && geometry_.can_walk() && batch.size() > few_vertices<K> &&
+             (num_done >= few_vertices<K> || cells_.num_cells() >= many_cells<K>);
+    return false;
+  }
+  /// Inserts the rest in several threads. After an exception cells are of no use unless the batch is undone.
+  void insert_in_threads(const ParallelBatch& batch, std::size_t num_done) {
+    if constexpr (is_shared<K, G>) {
+      work_.clear();
+      ParallelInsertion<K, G>(insertion_parts(), batch).insert_from(num_done);
+    }
+  }
+
+ protected:
   /// After a search or a replacement that has failed: there is no star, and there are no marks.
   void abandon_zone() {
     unmark(cells_.marks(), work_.zone);

@@ -14,6 +14,7 @@
 
 #include "base/growable_array.hpp"
 #include "base/stamped_table.hpp"
+#include "cells/horizon_facet.hpp"
 #include "engine/cell_store.hpp"
 #include "engine/create_functionals.hpp"
 
@@ -75,16 +76,21 @@ class UndoLog {
     }
   }
 
-  /// Makes room for so many new cells. Throws std::bad_alloc.
+  /// Makes room for so many new cells, if they are noted. Throws std::bad_alloc.
   void reserve_new(std::size_t count) {
-    if (!is_small_) return;
+    if (!is_on_ || !is_small_) return;
     changed_.reserve(count);
     if (fresh_.capacity() < fresh_.size() + count) fresh_.reserve(2 * (fresh_.size() + count));
   }
-  /// Notes that a cell is new, perhaps in the slot of one that has been noted. REQUIRES a reserve_new() that
-  /// covers it.
-  void note_new(Index cell) {
-    if (is_small_ && changed_.insert(cell, 0).second) fresh_.push_back(cell);
+  /// Notes cells that are new, some perhaps in the slots of others that have been noted. REQUIRES a
+  /// reserve_new() that covers them.
+  void note_new(std::span<const Index> cells) {
+    if (!is_on_ || !is_small_) return;
+    for (const Index cell : cells) note_new(cell);
+  }
+  void note_new(std::span<const HorizonFacet> star) {
+    if (!is_on_ || !is_small_) return;
+    for (const HorizonFacet& facet : star) note_new(facet.created);
   }
 
   /// Calls f with the id of every cell that was there in the beginning and is not any more. One that was
@@ -129,6 +135,10 @@ class UndoLog {
 
  private:
   static constexpr std::size_t most_kept = std::size_t{1} << 20;
+
+  void note_new(Index cell) {
+    if (changed_.insert(cell, 0).second) fresh_.push_back(cell);
+  }
 
   static std::size_t size_of_note(const CellStore<K>& cells) {
     return 1 + 2 * (static_cast<std::size_t>(cells.dimension()) + 1);

@@ -39,6 +39,8 @@ class PointPredicates {
                   const std::vector<double>& coordinates)
       : axes_(std::move(axes)), ambient_(ambient), form_(form), coordinates_(coordinates) {}
 
+  using HoleSearch = geometry::HoleSearch;
+
   static constexpr bool has_plateaus = false;
   static constexpr bool can_walk() { return true; }
 

@@ -56,7 +56,6 @@ Triangulation::Impl::BatchInsertion::~BatchInsertion() {
   else
     impl_.engine.reset();
   impl_.affine_hull = std::move(before_.affine_hull);
-  impl_.points.num_waiting = 0;
   impl_.points.coordinates.resize(before_.num_coordinates);
   impl_.vertex_of_row.resize(before_.num_rows);
   impl_.row_of_vertex.resize(before_.num_row_of_vertex);
@@ -80,7 +79,6 @@ void Triangulation::Impl::BatchInsertion::take(std::span<const double> rows) {
   spanning_rows_first(rows);
   include(rows);
   append_in_order(rows, impl_.row_size(), order_, impl_.points.coordinates);
-  impl_.points.num_waiting = n;
 }
 
 /// The grid and the box of all rows.
@@ -112,36 +110,22 @@ const double* Triangulation::Impl::BatchInsertion::point_at(std::size_t place) c
   return impl_.points.coordinates.data() + before_.num_coordinates + place * impl_.row_size();
 }
 
-/// The vertex of the next place. Where there have been duplicates, its point moves up to where it belongs.
-Index Triangulation::Impl::BatchInsertion::next() {
-  if (place_ == order_.size()) return invalid_index;
-  // Where to write vertices has no order of its own: it is prefetched long before its turn.
-  constexpr std::size_t ahead = 64;
-  delone::prefetch_for_writing(impl_.vertex_of_row.data() + row(std::min(place_ + ahead, order_.size() - 1)));
-  const double* const from = point_at(place_++);
-  VertexPoints& vertices = impl_.points;
-  --vertices.num_waiting;
-  const Index v = vertices.last_vertex();
-  double* const to = vertices.coordinates.data() + std::size_t{v} * vertices.row_size();
-  if (to != from) [[unlikely]]
-    std::copy_n(from, vertices.row_size(), to);
+/// The vertex of the next place: of a spanning row, so no duplicate.
+Index Triangulation::Impl::BatchInsertion::next_spanning() {
+  const auto v = static_cast<Index>(before_.num_coordinates / impl_.row_size() + place_);
+  impl_.affine_hull.add(impl_.points.point(v));
+  impl_.assign(row(place_++), v);
   return v;
-}
-
-void Triangulation::Impl::BatchInsertion::placed(Index v, Index at, bool) {
-  const bool is_duplicate = at != v && at != invalid_index;
-  impl_.points.num_waiting += is_duplicate;
-  impl_.assign(row(place_ - 1), is_duplicate ? at : v);
-  progress_(place_);
 }
 
 void Triangulation::Impl::BatchInsertion::insert_all() {
   start();
+  std::vector<Index> at(order_.size() - place_);
   if (!impl_.engine)
-    insert_at_only_vertex();
-  else if (place_ < order_.size() &&
-           !insert_in_threads())      // wrapped cells would get their functionals, which
-    impl_.engine->insert_all(*this);  // nobody may need
+    insert_at_only_vertex(at);
+  else if (!at.empty())  // wrapped cells would get their functionals, which nobody may need
+    insert(at);
+  place_in_order(at);
   finish();
 }
 
@@ -164,25 +148,18 @@ void Triangulation::Impl::BatchInsertion::start() {
 
 /// Raises the affine dimension of the engine by the point of the next place. The first engine of all is kept.
 void Triangulation::Impl::BatchInsertion::jump() {
-  const Index v = next();
-  impl_.affine_hull.add(impl_.points.point(v));
+  const Index v = next_spanning();
   auto raised = impl_.new_engine(low_.data(), high_.data(), impl_.engine->effort());
   raised->jump(impl_.complex(), v);
   std::swap(impl_.engine, raised);
   if (!before_.engine) before_.engine = std::move(raised);
-  placed(v, v, false);
 }
 
 /// The first simplex, of the spanning rows and the only vertex if there is one.
 void Triangulation::Impl::BatchInsertion::seed() {
   std::vector<Index> simplex;
   if (impl_.affine_hull.dimension() == 0) simplex.push_back(impl_.only_vertex());
-  while (place_ < num_spanning_) {
-    const Index v = next();
-    impl_.affine_hull.add(impl_.points.point(v));
-    simplex.push_back(v);
-    placed(v, v, false);
-  }
+  while (place_ < num_spanning_) simplex.push_back(next_spanning());
   if (impl_.affine_hull.dimension() < 1) {
     impl_.only_vertex() = simplex.front();
     return;
@@ -204,8 +181,6 @@ bool Triangulation::Impl::BatchInsertion::wrap(std::span<const Index> simplex) {
     return false;
   }
   order_ = std::move(distinct);
-  VertexPoints& vertices = impl_.points;
-  vertices.num_waiting = 0;
   const auto tick = [this](double done) {
     progress_(static_cast<std::size_t>(done * static_cast<double>(order_.size())));
   };
@@ -214,7 +189,6 @@ bool Triangulation::Impl::BatchInsertion::wrap(std::span<const Index> simplex) {
   limits_.count_items(false);  // but facets
   if (!impl_.engine->wrap(threads, tick)) {
     limits_.count_items(true);
-    vertices.num_waiting = order_.size() - place_;
     return false;
   }
   for (; place_ < order_.size(); ++place_) impl_.assign(row(place_), static_cast<Index>(place_) + 1);
@@ -258,61 +232,60 @@ std::vector<Index> Triangulation::Impl::BatchInsertion::merge_duplicates() {
 }
 
 /// All points are in one place: the heaviest is the vertex, equal ones are duplicates, lighter ones hidden.
-void Triangulation::Impl::BatchInsertion::insert_at_only_vertex() {
-  for (Index v = next(); v != invalid_index; v = next()) {
+void Triangulation::Impl::BatchInsertion::insert_at_only_vertex(std::span<Index> at) {
+  auto v = impl_.points.last_vertex() + 1 - static_cast<Index>(at.size());
+  for (Index& of_v : at) {
     const int heavier = impl_.compare_with_only_vertex(impl_.points.point(v));
-    const Index at = heavier == 0 ? impl_.only_vertex() : heavier > 0 ? v : invalid_index;
     if (heavier > 0) impl_.only_vertex() = v;
-    placed(v, at, false);
+    of_v = heavier == 0 ? impl_.only_vertex() : heavier > 0 ? v : invalid_index;
+    progress_(++place_);
+    ++v;
   }
+  place_ -= at.size();
 }
 
-/// Returns false, and nothing has been done, if one thread has to do.
-bool Triangulation::Impl::BatchInsertion::insert_in_threads() {
-  const std::size_t begin = place_, n = order_.size() - begin;
-  if (!impl_.engine->shares_batches_of(n)) return false;
-  impl_.has_ids_of_threads = true;
-  const unsigned threads = engine::threads_for_batch(impl_.options.threads, n, impl_.dimension);
-  if (threads < 2) return false;
-  std::vector<Index> at(n);
+/// Inserts the vertices of all places left.
+void Triangulation::Impl::BatchInsertion::insert(std::span<Index> at) {
+  const std::size_t begin = place_, n = at.size();
+  if (impl_.engine->shares_batches_of(n)) {
+    impl_.has_ids_of_threads = true;
+    threads_ = engine::threads_for_batch(impl_.options.threads, n, impl_.dimension);
+  }
   std::vector<std::size_t> rounds;
   for (const std::size_t end : rounds_)
     if (end > begin) rounds.push_back(end - begin);
-  VertexPoints& vertices = impl_.points;
-  const Index first = vertices.last_vertex() + 1;
-  vertices.num_waiting = 0;  // all points are where those of their vertices are
-  engine::ParallelBatch batch{threads, first, at, rounds};
+  engine::ParallelBatch batch{threads_, impl_.points.last_vertex() + 1 - static_cast<Index>(n), at, rounds};
   batch.tick = [&](std::size_t done) { progress_(begin + done); };
   impl_.engine->insert_all(batch);
-  place_in_order(first, at, threads);
-  impl_.statistics.threads = std::max(impl_.statistics.threads, threads);
-  return true;
+  impl_.statistics.threads = std::max(impl_.statistics.threads, threads_);
 }
 
-/// Gives ids without gaps to the vertices that several threads have inserted, as if they had been inserted in
-/// order: of equal points, the first is the vertex. at: for each place, the vertex at its point.
-void Triangulation::Impl::BatchInsertion::place_in_order(Index first, std::span<const Index> at,
-                                                         unsigned threads) {
+/// Rows of the vertices that have been inserted. at: for each place, the vertex at its point. Of equal
+/// points, the first in the order is the vertex; then ids are given again, without gaps.
+void Triangulation::Impl::BatchInsertion::place_in_order(std::span<const Index> at) {
   const std::size_t begin = place_, n = at.size();
+  VertexPoints& vertices = impl_.points;
+  const Index first = vertices.last_vertex() + 1 - static_cast<Index>(n);
+  place_ = order_.size();
   const auto is_duplicate = [&](std::size_t i) { return at[i] != first + i && at[i] != invalid_index; };
   std::size_t num_duplicates = 0;
   for (std::size_t i = 0; i < n; ++i) num_duplicates += is_duplicate(i);
   if (num_duplicates == 0) {
     impl_.row_of_vertex.resize(std::size_t{first} + n);
-    internal::parallel_for(threads, n, 16384, [&](std::size_t from, std::size_t to) {
+    internal::parallel_for(threads_, n, 16384, [&](std::size_t from, std::size_t to) {
+      constexpr std::size_t ahead = 64;  // rows have no order of their own here
       for (std::size_t i = from; i < to; ++i) {
+        delone::prefetch_for_writing(impl_.vertex_of_row.data() + row(begin + std::min(i + ahead, n - 1)));
         const Index v = first + static_cast<Index>(i);
         impl_.vertex_of_row[row(begin + i)] = VertexId{v};
         impl_.row_of_vertex[v] = static_cast<Index>(row(begin + i));
       }
     });
     impl_.num_rows_inserted += n;
-    place_ = order_.size();
     return;
   }
   std::vector<Index> new_ids(std::size_t{first} + n, invalid_index);
   std::iota(new_ids.begin(), new_ids.begin() + static_cast<std::ptrdiff_t>(first), Index{0});
-  VertexPoints& vertices = impl_.points;
   Index next = first;
   for (std::size_t i = 0; i < n; ++i) {
     Index& id = new_ids[is_duplicate(i) ? at[i] : first + i];
@@ -324,9 +297,11 @@ void Triangulation::Impl::BatchInsertion::place_in_order(Index first, std::span<
     }
     impl_.assign(row(begin + i), id);
   }
-  vertices.num_waiting = n - (next - first);
-  place_ = order_.size();
-  impl_.engine->renumber_vertices(new_ids);
+  vertices.coordinates.resize(std::size_t{next} * vertices.row_size());
+  if (impl_.engine)
+    impl_.engine->renumber_vertices(new_ids);
+  else
+    impl_.only_vertex() = new_ids[impl_.only_vertex()];
 }
 
 /// Nothing of it throws.
@@ -334,8 +309,6 @@ void Triangulation::Impl::BatchInsertion::finish() {
   for (const auto& [row, first] : duplicates_)
     impl_.assign(before_.num_rows + row, index(impl_.vertex_of_row[before_.num_rows + first]));
   const Index last = impl_.points.last_vertex();
-  impl_.points.num_waiting = 0;
-  impl_.points.coordinates.resize((std::size_t{last} + 1) * impl_.row_size());
   if (impl_.engine) impl_.engine->keep_batch();
   is_done_ = true;
   before_.engine.reset();

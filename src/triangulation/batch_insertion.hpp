@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A batch of rows into a triangulation, all of them or none.
 //
-// What insertions share is settled before the first one: the grid, the frame, the affine dimension, and where
-// every point is stored. Only duplicates are met on the way: the walk to a duplicate ends at its vertex, so
-// finding them costs nothing. So that ids have no gaps, a vertex gets its id when its turn comes, in next().
+// What insertions share is settled before the first one: the grid, the frame, the affine dimension, and the
+// id and the point of every vertex. Only duplicates are met on the way: the walk to a duplicate ends at its
+// vertex, so finding them costs nothing. If there are any, vertices are renumbered in the end, so that ids
+// have no gaps.
 #pragma once
 
 #include "base/build_limits.hpp"
@@ -19,7 +20,7 @@
 
 namespace delone {
 
-class Triangulation::Impl::BatchInsertion final : public engine::Batch {
+class Triangulation::Impl::BatchInsertion {
  public:
   /// `order`: in which rows are to be inserted; `rounds`: where its rounds end that cover the whole set.
   /// `limits` hears if cells are made in another way than by inserting points.
@@ -45,9 +46,6 @@ class Triangulation::Impl::BatchInsertion final : public engine::Batch {
     std::unique_ptr<TriangulationEngine> engine;  ///< if the batch has made another one
   };
 
-  Index next() override;
-  void placed(Index v, Index at, bool strictly) override;
-
   void include(std::span<const double> rows);
   void spanning_rows_first(std::span<const double> rows);
   void start();
@@ -55,9 +53,10 @@ class Triangulation::Impl::BatchInsertion final : public engine::Batch {
   void seed();
   bool wrap(std::span<const Index> simplex);
   std::vector<Index> merge_duplicates();
-  void insert_at_only_vertex();
-  bool insert_in_threads();
-  void place_in_order(Index first, std::span<const Index> at, unsigned threads);
+  void insert_at_only_vertex(std::span<Index> at);
+  void insert(std::span<Index> at);
+  void place_in_order(std::span<const Index> at);
+  Index next_spanning();
   void finish();
 
   std::size_t row(std::size_t place) const { return before_.num_rows + order_[place]; }
@@ -70,10 +69,11 @@ class Triangulation::Impl::BatchInsertion final : public engine::Batch {
   std::vector<std::size_t> rounds_;  // where rounds of the order end
   std::vector<double> low_, high_;   // the box of the rows
   std::size_t num_spanning_ = 0;     // at the first places, each raises the affine dimension
-  std::size_t place_ = 0;            // of the next vertex
+  std::size_t place_ = 0;            // of the first row that is not inserted yet
   std::vector<std::pair<Index, Index>>
       duplicates_;  // of rows, found beforehand, and the rows that they repeat
   internal::ProgressMeter progress_;
+  unsigned threads_ = 1;
   bool is_done_ = false;
 };
 

@@ -103,7 +103,6 @@ void Triangulation::Impl::roll_back(internal::EditRecord& before) noexcept {
     std::copy_n(before.points.begin() + static_cast<std::ptrdiff_t>(i * row_size()), row_size(),
                 points.coordinates.begin() + static_cast<std::ptrdiff_t>(before.moved[i] * row_size()));
   points.coordinates.resize(before.num_coordinates);
-  points.num_waiting = 0;
   affine_hull = std::move(before.affine_hull);
   only_vertex() = before.only_vertex;
   hidden_points.reset();
@@ -115,7 +114,7 @@ void Triangulation::Impl::roll_back(internal::EditRecord& before) noexcept {
   for (const auto& [v, was_visible] : before.were_visible)
     if (!was_visible && v < cell_of_vertex.size()) cell_of_vertex[v] = invalid_cell;
   if (engine && before.engine_has_log)
-    engine->undo_batch([this](Index cell) {
+    engine->undo_batch(before.moved, [this](Index cell) {
       const Complex now = engine->complex(0, {});
       for (int i = 0; i <= now.affine_dimension(); ++i)
         cell_of_vertex[index(now.vertex(CellId{cell}, i))] = CellId{cell};
@@ -123,15 +122,6 @@ void Triangulation::Impl::roll_back(internal::EditRecord& before) noexcept {
   if (before.has_other_engine || !engine) {
     std::fill(cell_of_vertex.begin(), cell_of_vertex.end(), invalid_cell);
     find_cells_of_vertices();
-  }
-  if (engine)
-    for (const Index v : before.moved) engine->rewrite_row(v);
-  if (engine && before.has_settled) {
-    if (before.needs_all_renewed)
-      engine->renew_all();
-    else
-      for (const Index v : before.moved)
-        if (is_visible(v)) engine->renew(v, index(cell_of_vertex[v]));
   }
   cell_of_vertex.resize(before.num_cell_of_vertex, invalid_cell);
   num_vertices = before.num_vertices;

@@ -31,9 +31,6 @@ struct EditRecord {
   std::vector<std::pair<Index, bool>> were_visible;  // vertices that have come to have cells or lost them
   std::vector<Index> moved;                          // vertices with other points …
   std::vector<double> points;                        // … theirs before
-  bool has_settled = false;  // vertices have moved without being taken out, or were to
-  bool needs_all_renewed =
-      false;  // of the engine of the beginning: what is cached for its cells is of other points
   bool had_ids_of_threads = false;
   bool engine_has_log = false;
   bool has_other_engine = false;                // the engine is not the one of the beginning

@@ -77,17 +77,17 @@ std::optional<Index> Triangulation::Impl::Editing::take_out(Index v) {
     take_out_only_vertex();
     return invalid_index;
   }
-  const engine::Removal removal = impl_.engine->remove(v, index(impl_.cell_of_vertex[v]));
-  if (removal == engine::Removal::large) return std::nullopt;
-  if (removal == engine::Removal::flat) {
+  const engine::Change change = impl_.engine->remove(v, index(impl_.cell_of_vertex[v]));
+  if (change.outcome == engine::Outcome::costly) return std::nullopt;
+  if (change.outcome == engine::Outcome::flat) {
     lower(v);
     return invalid_index;
   }
   if (impl_.hidden_points)
-    for (const Index cell : impl_.engine->replaced()) impl_.hidden_points->take(cell, freed_);
-  impl_.update_cells(impl_.engine->made_by_removal());
+    for (const Index cell : change.gone) impl_.hidden_points->take(cell, freed_);
+  impl_.update_cells(change.made);
   const Complex now = impl_.complex();
-  const CellId any{impl_.engine->made_by_removal().front()};
+  const CellId any{change.made.front()};
   const VertexId first = now.vertex(any, 0);
   const Index near = index(first != infinite_vertex ? first : now.vertex(any, 1));
   impl_.cell_of_vertex[v] = invalid_cell;
@@ -248,13 +248,15 @@ void Triangulation::Impl::Editing::place_again(Index v) {
   if (at != v && at != invalid_index) merge(v, at);
 }
 
-void Triangulation::Impl::Editing::set_point(Index v, const double* point) {
-  const std::size_t size = impl_.row_size();
-  const auto there = impl_.points.coordinates.begin() + static_cast<std::ptrdiff_t>(v * size);
-  record_->points.insert(record_->points.end(), there, there + static_cast<std::ptrdiff_t>(size));
+/// Notes the point of a vertex that gets another one.
+void Triangulation::Impl::Editing::note_point(Index v) {
+  const double* const there = impl_.points.point(v);
+  record_->points.insert(record_->points.end(), there, there + impl_.row_size());
   record_->moved.push_back(v);
-  impl_.points.grid.include(point);
-  std::copy_n(point, size, there);
+}
+void Triangulation::Impl::Editing::set_point(Index v, const double* point) {
+  note_point(v);
+  impl_.points.set_point(v, point);
 }
 
 /// The rows of a vertex become those of another at the same point.

@@ -307,17 +307,17 @@ Index Triangulation::Impl::lone_vertex_of(std::size_t row) {
   return known_shared_rows().has_several(v) ? invalid_index : v;
 }
 
-/// Nothing is returned, and nothing has been done, where it takes the long way.
-std::optional<engine::Removal> Triangulation::Impl::remove_at_once(std::size_t row) {
+/// Nothing has been done unless the outcome is `done`; `flat` also where it takes the long way.
+engine::Outcome Triangulation::Impl::remove_at_once(std::size_t row) {
   const Index v = lone_vertex_of(row);
-  if (v == invalid_index) return std::nullopt;
-  const engine::Removal removal = engine->remove(v, index(cell_of_vertex[v]));
-  if (removal != engine::Removal::taken_out) return removal;
-  update_cells(engine->made_by_removal());
+  if (v == invalid_index) return engine::Outcome::flat;
+  const engine::Change change = engine->remove(v, index(cell_of_vertex[v]));
+  if (!change.is_done()) return change.outcome;
+  update_cells(change.made);
   cell_of_vertex[v] = invalid_cell;
   --num_vertices;
   detach(row);
-  return removal;
+  return change.outcome;
 }
 
 /// The same for a row that moves a little.
@@ -325,26 +325,9 @@ bool Triangulation::Impl::move_at_once(std::size_t row, std::span<const double> 
   const Index v = lone_vertex_of(row);
   if (v == invalid_index || to.size() != ambient() || !engine->frame().contains(to.data())) return false;
   if (affine_hull.dimension() < dimension && !affine_hull.contains(to.data())) return false;
-  double* const point = points.coordinates.data() + v * ambient();
-  const std::vector<double> before(point, point + ambient());
-  points.grid.include(to.data());
-  std::copy(to.begin(), to.end(), point);
-  bool is_settled = false;
-  const auto take_back = [&] {
-    std::copy(before.begin(), before.end(), point);
-    engine->renew(v, index(cell_of_vertex[v]));
-  };
-  try {
-    is_settled = engine->settle(v, index(cell_of_vertex[v]));
-  } catch (...) {
-    take_back();
-    throw;
-  }
-  if (is_settled)
-    update_cells(engine->made_by_settling());
-  else
-    take_back();
-  return is_settled;
+  const engine::Change change = engine->move(v, index(cell_of_vertex[v]), to.data());
+  update_cells(change.made);
+  return change.is_done();
 }
 
 void Triangulation::Impl::edit(const RowEdits& edits, Index start) {
@@ -352,9 +335,9 @@ void Triangulation::Impl::edit(const RowEdits& edits, Index start) {
   if (edits.is_empty()) return;
   bool anew = false;
   if (edits.remove.size() == 1 && edits.move.empty() && edits.weigh.empty() && edits.insert.empty()) {
-    const std::optional<engine::Removal> removal = remove_at_once(edits.remove[0]);
-    if (removal == engine::Removal::taken_out) return;
-    anew = removal == engine::Removal::large;
+    const engine::Outcome outcome = remove_at_once(edits.remove[0]);
+    if (outcome == engine::Outcome::done) return;
+    anew = outcome == engine::Outcome::costly;
   }
   if (edits.move.size() == 1 && edits.remove.empty() && edits.weigh.empty() && edits.insert.empty() &&
       move_at_once(edits.move[0], edits.to))

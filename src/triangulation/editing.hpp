@@ -3,10 +3,11 @@
 //
 // Rows become vertices first. A vertex that is left without rows goes; a row that is alone at its vertex
 // takes it along to its new point; a row that is not alone leaves its vertex behind, and is inserted as a new
-// one. Vertices that move little stay where they are in the cells (engine/hole/settling.hpp). Then either all
-// others that go or move are taken out, one by one, and those that come or move are inserted, or everything
-// is built anew (rebuilding.cpp), whichever costs less. Hidden points that may come back are inserted before
-// those. How many they are shows while vertices are taken out, so that building anew may begin then, too.
+// one. Vertices that move little stay where they are in the cells (engine/hole/relocation.hpp). Then either
+// all others that go or move are taken out, one by one, and those that come or move are inserted, or
+// everything is built anew (rebuilding.cpp), whichever costs less. Hidden points that may come back are
+// inserted before those. How many they are shows while vertices are taken out, so that building anew may
+// begin then, too.
 #pragma once
 
 #include "base/progress_meter.hpp"
@@ -86,6 +87,7 @@ class Triangulation::Impl::Editing {
   Index start_near(const double* point, Index near, const double* before);
   void place(const Placement& placement);
   void place_again(Index v);
+  void note_point(Index v);
   void set_point(Index v, const double* point);
   void merge(Index v, Index into);
   void build_anew();

@@ -12,24 +12,6 @@
 #include <vector>
 
 namespace delone {
-namespace {
-
-/// Vertices in a given order.
-class VerticesInOrder final : public engine::Batch {
- public:
-  /// `placed` is told what becomes of each.
-  VerticesInOrder(std::span<const Index> vertices, std::function<void(Index v, Index at)> on_placed)
-      : vertices_(vertices), on_placed_(std::move(on_placed)) {}
-  Index next() override { return next_ < vertices_.size() ? vertices_[next_++] : invalid_index; }
-  void placed(Index v, Index at, bool) override { on_placed_(v, at); }
-
- private:
-  std::span<const Index> vertices_;
-  std::function<void(Index, Index)> on_placed_;
-  std::size_t next_ = 0;
-};
-
-}  // namespace
 
 void Triangulation::Impl::Editing::build_anew() {
   const std::vector<CellId> cells_before = impl_.cell_of_vertex;
@@ -77,9 +59,7 @@ void Triangulation::Impl::Editing::build_anew() {
   std::vector<std::pair<Index, Index>> equal;  // vertices, and those at their points that came before them
   const std::span<const Index> spanning(sorted.data(), num_spanning);
   const std::span<const Index> others(sorted.data() + num_spanning, sorted.size() - num_spanning);
-  std::size_t num_placed = num_spanning;
   const auto on_placed = [&](Index v, Index at) {
-    tick_batch(++num_placed, sorted.size());
     if (at != v && at != invalid_index) equal.emplace_back(v, at);
   };
   if (impl_.affine_hull.dimension() == 0) {
@@ -92,7 +72,7 @@ void Triangulation::Impl::Editing::build_anew() {
                                   geometry::Frame(std::move(low), std::move(high), impl_.points.form), effort,
                                   impl_.options.force_runtime_dimension);
     impl_.engine->seed(spanning);
-    insert_others(others, rounds, on_placed);
+    if (!others.empty()) insert_others(others, rounds, on_placed);
   }
   merge_equal(equal);
   impl_.has_ids_of_threads = impl_.engine && impl_.engine->shares_batches_of(others.size());
@@ -153,11 +133,6 @@ void Triangulation::Impl::Editing::insert_others(std::span<const Index> others,
       impl_.engine->shares_batches_of(others.size())
           ? engine::threads_for_batch(impl_.options.threads, others.size(), impl_.dimension)
           : 1;
-  if (threads < 2) {
-    VerticesInOrder batch(others, on_placed);
-    impl_.engine->insert_all(batch);
-    return;
-  }
   const std::size_t num_spanning = static_cast<std::size_t>(impl_.affine_hull.dimension()) + 1;
   std::vector<std::size_t> rounds;
   for (const std::size_t end : rounds_of_all)

@@ -111,19 +111,18 @@ void Triangulation::Impl::Editing::settle_all() {
     frame = impl_.frame_with(low.data(), high.data(), 0.0625);
   impl_.engine->begin_batch(true);
   record_->engine_has_log = true;
-  record_->has_settled = record_->needs_all_renewed = true;
   const std::size_t first = record_->moved.size();
   constexpr std::size_t ahead = 16;
   for (std::size_t i = 0; i < leaving_.size(); ++i) {
     if (i + ahead < leaving_.size()) prefetch(impl_.points.point(leaving_[i + ahead].vertex));
     if (moves(leaving_[i])) set_point(leaving_[i].vertex, point(placements_[leaving_[i].placement]));
   }
-  if (!impl_.engine->settle_all(std::move(frame),
-                                impl_.options.threads)) {  // so much moves that all will be built anew
+  const engine::Change change = impl_.engine->move_all(std::move(frame), impl_.options.threads);
+  if (!change.is_done()) {  // so much moves that all will be built anew
     restore_points(first);
     return;
   }
-  impl_.update_cells(impl_.engine->made_by_settling());
+  impl_.update_cells(change.made);
   impl_.landmarks.reset();
   std::vector<std::uint8_t> is_settled(placements_.size(), 0);
   for (const Leaving& leaving : leaving_)
@@ -150,20 +149,17 @@ void Triangulation::Impl::Editing::settle_some() {
     const Placement& placement = placements_[leaving.placement];
     if (!can_settle(placement)) continue;
     begin_batch();
-    record_->has_settled = true;
-    const std::size_t first = record_->moved.size();
-    set_point(leaving.vertex, point(placement));
-    const Index cell = index(impl_.cell_of_vertex[leaving.vertex]);
-    if (!impl_.engine->settle(leaving.vertex, cell)) {
-      restore_points(first);
-      impl_.engine->renew(leaving.vertex, cell);
+    note_point(leaving.vertex);
+    const engine::Change change =
+        impl_.engine->move(leaving.vertex, index(impl_.cell_of_vertex[leaving.vertex]), point(placement));
+    if (!change.is_done()) {
+      restore_points(record_->moved.size() - 1);
       ++failures;
       continue;
     }
     if (impl_.hidden_points)
-      for (const Index changed : impl_.engine->changed_by_settling())
-        impl_.hidden_points->take(changed, freed_);
-    impl_.update_cells(impl_.engine->made_by_settling());
+      for (const Index changed : change.gone) impl_.hidden_points->take(changed, freed_);
+    impl_.update_cells(change.made);
     is_settled[leaving.placement] = 1;
     tick();
   }

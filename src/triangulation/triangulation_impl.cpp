@@ -137,7 +137,7 @@ geometry::Frame Triangulation::Impl::frame_with(const double* low, const double*
 
 /// An engine without cells for the present axes, in a frame of the box and of what there is.
 std::unique_ptr<TriangulationEngine> Triangulation::Impl::new_engine(const double* low, const double* high,
-                                                                     const engine::Effort& effort) const {
+                                                                     const engine::Effort& effort) {
   return make_triangulation_engine(affine_hull.axes(), points, frame_with(low, high, 0.0), effort,
                                    options.force_runtime_dimension);
 }

@@ -117,24 +117,23 @@ struct Triangulation::Impl {
   void expand();
   void add_landmarks(Index first, Index last);
   InsertResult insert_on_record(std::span<const double> point, double weight, Index start);
-  void update_cells_of_vertices(Index v);
   void update_cells(std::span<const Index> made);
   Index lone_vertex_of(std::size_t row);
-  std::optional<engine::Removal> remove_at_once(std::size_t row);
+  engine::Outcome remove_at_once(std::size_t row);
   bool move_at_once(std::size_t row, std::span<const double> to);
   void forget_indexes();
   void note_visibility(Index v);
   void require_idle() const;
   void replace_engine(std::unique_ptr<TriangulationEngine> next);
   void hide(Index v, Index start);
-  void rehome_hidden_points();
+  void rehome_hidden_points(const engine::Change& change);
   void roll_back(internal::EditRecord& before) noexcept;
   Changes changes_since(const internal::EditRecord& before) const;
   static std::vector<CellId> cells_before(const internal::EditRecord& before);
   void find_cells_of_vertices();
   geometry::Frame frame_with(const double* low, const double* high, double margin) const;
   std::unique_ptr<TriangulationEngine> new_engine(const double* low, const double* high,
-                                                  const engine::Effort& effort) const;
+                                                  const engine::Effort& effort);
   int compare_with_only_vertex(const double* point) const;
 
   class BatchInsertion;

@@ -79,13 +79,12 @@ void Triangulation::Impl::hide(Index v, Index start) {
   hidden_points->add(v, engine->locate(points.point(v), start).cell);
 }
 
-/// The same for those of the cells that the last insertion has replaced, and for the vertices that it has
-/// hidden.
-void Triangulation::Impl::rehome_hidden_points() {
+/// The same for those of the cells that an insertion has replaced, and for the vertices that it has hidden.
+void Triangulation::Impl::rehome_hidden_points(const engine::Change& change) {
   if (!hidden_points) return;
-  std::vector<Index> homeless(engine->swallowed().begin(), engine->swallowed().end());
-  for (const Index cell : engine->replaced()) hidden_points->take(cell, homeless);
-  for (const Index v : homeless) hide(v, engine->star().front().created);
+  std::vector<Index> homeless(change.swallowed.begin(), change.swallowed.end());
+  for (const Index cell : change.gone) hidden_points->take(cell, homeless);
+  for (const Index v : homeless) hide(v, change.made.front());
 }
 
 /// Makes vertex v, which has a point, part of the triangulation; outside the affine hull it raises the
@@ -104,35 +103,26 @@ Index Triangulation::Impl::place(Index v, Index start) {
     engine->set_frame(frame_with(points.point(v), points.point(v), 1.0));
     landmarks.reset();
   }
-  engine->track_swallowed(may_hide());
-  const Index at = engine->insert(v, start);
+  const engine::Change change = engine->insert(v, start);
   if (cell_of_vertex.size() <= v) cell_of_vertex.resize(std::size_t{v} + 1, invalid_cell);
-  if (at == v) update_cells_of_vertices(v);
+  if (change.is_done()) {
+    note_visibility(v);
+    for (const Index swallowed : change.swallowed) note_visibility(swallowed);
+    update_cells(change.made);
+    for (const Index swallowed : change.swallowed) cell_of_vertex[swallowed] = invalid_cell;
+    num_vertices += 1 - static_cast<Index>(change.swallowed.size());
+  }
   try {
-    if (at == v) rehome_hidden_points();
-    if (at == invalid_index) hide(v, invalid_index);
+    if (change.is_done()) rehome_hidden_points(change);
+    if (change.outcome == engine::Outcome::hidden) hide(v, invalid_index);
   } catch (...) {
     hidden_points.reset();
     if (record != nullptr) throw;
   }
-  return at;
+  return change.vertex;
 }
 
-/// Brings the cells of the vertices of the new star of v up to date.
-void Triangulation::Impl::update_cells_of_vertices(Index v) {
-  const Complex now = complex();
-  note_visibility(v);
-  for (const HorizonFacet& facet : engine->star())
-    for (int i = 0; i <= now.affine_dimension(); ++i)
-      cell_of_vertex[index(now.vertex(CellId{facet.created}, i))] = CellId{facet.created};
-  for (const Index swallowed : engine->swallowed()) {
-    note_visibility(swallowed);
-    cell_of_vertex[swallowed] = invalid_cell;
-  }
-  num_vertices += 1 - static_cast<Index>(engine->swallowed().size());
-}
-
-/// Of vertices of new cells.
+/// Brings the cells of the vertices of new cells up to date.
 void Triangulation::Impl::update_cells(std::span<const Index> made) {
   const Complex now = complex();
   for (const Index cell : made) {

@@ -4,7 +4,7 @@
 // vertices around the hole, ties perturbed. So every cell is found once, beside one that is there already.
 //
 // The search works with rounded numbers and asks exact predicates where these leave several vertices
-// (geometry/hole_search/). Its result is proved afterwards (is_delaunay()). Around a vertex that goes, the
+// (G::HoleSearch). Its result is proved afterwards (is_delaunay()). Around a vertex that goes, the
 // search is repeated with exact predicates for all vertices if the proof fails; then every cell is right
 // because the one beside it is. Where vertices have moved, the proof fails if the hole is too small.
 #pragma once
@@ -14,7 +14,6 @@
 #include "engine/hole/hole.hpp"
 #include "engine/hole/hole_cells.hpp"
 #include "engine/retriangulate.hpp"
-#include "geometry/hole_search/hole_search.hpp"
 
 #include <algorithm>
 #include <array>
@@ -31,13 +30,14 @@ namespace delone::engine {
 template <int K, Geometry G>
 class HoleFiller {
   using Query = typename G::Query;
+  using Search = typename G::HoleSearch;
   using BorderFacet = typename Hole<K>::BorderFacet;
 
  public:
   HoleFiller(CellStore<K>& cells, G& geometry)
       : cells_(cells),
         geometry_(geometry),
-        functions_size_(geometry::size_of_functions(cells.dimension())),
+        functions_size_(Search::size_of_functions(cells.dimension())),
         found_(cells.dimension()) {}
 
   /// The hole that is filled next.
@@ -430,7 +430,7 @@ class HoleFiller {
   G& geometry_;
   const std::size_t functions_size_;  // of one cell
   Hole<K> hole_;
-  geometry::HoleSearch search_;
+  Search search_;
   HoleCells<K> found_;
   bool is_exact_ = false;
   std::size_t looks_left_ = 0;

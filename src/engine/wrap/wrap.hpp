@@ -4,7 +4,7 @@
 // cells do not last (docs/decisions/0007-small-sets-in-high-dimensions-are-wrapped.md).
 #pragma once
 
-#include "engine/wrap/is_worth_wrapping.hpp"
+#include "engine/sphere.hpp"
 #include "engine/wrap/proof.hpp"
 #include "engine/wrap/wrapping.hpp"
 
@@ -71,6 +71,16 @@ std::optional<Index> wrap_all(CellStore<K>& cells, Points& points, unsigned thre
   }
   if (!num_infinite) cells.clear();
   return num_infinite;
+}
+
+/// The first cells of a sphere, all at once. Returns false, and there are no cells, if that cannot be proved
+/// to be right.
+template <int K, Geometry G, class Points>
+bool wrap(Sphere<K, G>& sphere, Points&& points, unsigned threads, const std::function<void(double)>& tick) {
+  const std::optional<Index> num_infinite =
+      wrap_all(sphere.cells(), points, threads, sphere.effort().stages, tick);
+  if (num_infinite) sphere.starts_with(*num_infinite, sphere.cells().num_cells());
+  return num_infinite.has_value();
 }
 
 }  // namespace delone::engine

@@ -24,6 +24,9 @@ namespace delone::geometry {
 /// the number 0, and no row.
 class HoleSearch {
  public:
+  /// How many numbers the functions of a cell are.
+  static constexpr std::size_t size_of_functions(int k) { return geometry::size_of_functions(k); }
+
   /// Begins with other vertices. Their rows, k images and the lift each, are to be written next, close to the
   /// origin and of magnitude 1 at most. Throws std::bad_alloc.
   void begin(int k, std::size_t num_candidates, std::size_t num_vertices);

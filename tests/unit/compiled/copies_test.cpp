@@ -36,14 +36,14 @@ Index num_cells(const TriangulationQueries& queries) { return queries.complex(1,
 
 TEST(EngineCopies, GoTheirOwnWays) {
   for (int d = 1; d <= 4; ++d) {
-    const Some original(d, 60);
+    Some original(d, 60);
     for (Index v = static_cast<Index>(d) + 2; v <= 30; ++v) original.engine->insert(v, invalid_index);
-    const VertexPoints points = original.points;
+    VertexPoints points = original.points;
     const Index before = num_cells(*original.engine);
     const auto copy = original.engine->copy(points);
     EXPECT_EQ(num_cells(*copy), before);
     EXPECT_EQ(copy->effort().created_cells, original.engine->effort().created_cells);
-    for (Index v = 31; v <= 60; ++v) EXPECT_EQ(copy->insert(v, invalid_index), v);
+    for (Index v = 31; v <= 60; ++v) EXPECT_EQ(copy->insert(v, invalid_index).vertex, v);
     EXPECT_GT(num_cells(*copy), before);
     EXPECT_EQ(num_cells(*original.engine), before);
     for (Index v = 31; v <= 60; ++v) original.engine->insert(v, invalid_index);

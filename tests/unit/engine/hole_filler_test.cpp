@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A hole around a vertex is filled with the cells that there were without the vertex.
-#include "engine/hole/hole_filler.hpp"
+#include "engine/hole/refill.hpp"
 
 #include "engine_support.hpp"
 
@@ -67,7 +67,7 @@ void expect_filled(Index n, int kind) {
       }
   };
   for (Index v = last; v > K + 1; v -= 2) {
-    ASSERT_EQ(points.build.remove(v, cell_of(v), filler), Removal::taken_out);
+    ASSERT_EQ(remove(points.build, v, cell_of(v), filler), Outcome::done);
     for (const Index cell : filler.created()) EXPECT_FALSE(points.build.cells().is_vacant(cell));
     gone.push_back(v);
     ASSERT_EQ(points.sphere(), cells_without<K>(rows, gone)) << "without vertex " << v;
@@ -95,7 +95,7 @@ TEST(HoleFiller, DoesNotRemoveTheApexOfAPyramid) {
   while (points.build.cells().is_vacant(cell) || points.build.cells().slot_of_vertex(cell, 4) < 0 ||
          points.build.cells().slot_of_vertex(cell, 4) > 3)
     ++cell;
-  EXPECT_EQ(points.build.remove(4, cell, filler), Removal::flat);
+  EXPECT_EQ(remove(points.build, 4, cell, filler), Outcome::flat);
   EXPECT_EQ(points.sphere(), before);
   for (Index c = 0; c < points.build.cells().num_slots(); ++c)
     EXPECT_TRUE(points.build.cells().is_vacant(c) || points.build.cells().mark(c) == Mark::unseen);

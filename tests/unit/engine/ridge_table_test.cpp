@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The ridges of a star: linking by hash gives what rotating about every ridge gives.
+// The ridges of a star: linking by hash makes those cells neighbors that share a facet.
 #include "engine/ridge_table.hpp"
 
 #include "base/random.hpp"
@@ -14,12 +14,34 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <numeric>
 #include <utility>
 #include <vector>
 
 namespace delone::engine {
 namespace {
+
+/// Expects that neighbors are the two cells of a facet, for all facets.
+template <int K>
+void expect_neighbors_share_facets(const CellStore<K>& cells) {
+  std::map<std::vector<Index>, std::vector<std::pair<Index, int>>> sides;
+  for (Index cell = 0; cell < cells.num_slots(); ++cell) {
+    if (cells.is_vacant(cell)) continue;
+    for (int slot = 0; slot <= K; ++slot) {
+      std::vector<Index> facet;
+      for (int i = 0; i <= K; ++i)
+        if (i != slot) facet.push_back(cells.vertex(cell, i));
+      std::sort(facet.begin(), facet.end());
+      sides[facet].emplace_back(cell, slot);
+    }
+  }
+  for (const auto& [facet, pair] : sides) {
+    ASSERT_EQ(pair.size(), 2u);
+    for (const std::size_t i : {0u, 1u})
+      EXPECT_EQ(cells.neighbors(pair[i].first)[pair[i].second], pair[1 - i].first);
+  }
+}
 
 /// The vertices of each cell, and those across its facets, after the insertion of points one by one, ridges
 /// hashed `rounds` times. Vertices are the ids after `unused`, which says nothing of them here, and kept as
@@ -52,6 +74,7 @@ std::vector<std::vector<Index>> links(Index n, double grid_size, int rounds, Ver
   const CellStore<K>& cells = build.cells();
   EXPECT_EQ(cells.links_of_complex().narrow_vertices,
             ids == VertexIds::narrow && unused + n <= last_narrow_vertex);
+  expect_neighbors_share_facets(cells);
   // Which slot a cell is in depends on when slots become vacant.
   std::vector<std::vector<Index>> all;
   for (Index cell = 0; cell < cells.num_slots(); ++cell) {
@@ -73,35 +96,34 @@ std::vector<std::vector<Index>> links(Index n, double grid_size, int rounds, Ver
 }
 
 template <int K>
-void expect_hashing_finds_what_rotation_finds(Index n, double grid_size) {
+void expect_neighbors_are_linked(Index n, double grid_size) {
   SCOPED_TRACE(testing::Message() << "dimension " << K << ", " << n << " points");
-  const auto by_rotation = links<K>(n, grid_size, 0);
-  EXPECT_GT(by_rotation.size(), static_cast<std::size_t>(n));
-  EXPECT_EQ(by_rotation, links<K>(n, grid_size, 1));  // what one round leaves, by its vertices
-  EXPECT_EQ(by_rotation, links<K>(n, grid_size, 6));
+  const auto in_one_round = links<K>(n, grid_size, 1);  // what it leaves, by its vertices
+  EXPECT_GT(in_one_round.size(), static_cast<std::size_t>(n));
+  EXPECT_EQ(in_one_round, links<K>(n, grid_size, 6));
   if constexpr (may_be_narrow(K)) {
-    EXPECT_EQ(by_rotation, links<K>(n, grid_size, 6, VertexIds::narrow));
-    EXPECT_EQ(by_rotation, links<K>(n, grid_size, 0, VertexIds::narrow));
-    EXPECT_EQ(by_rotation, links<K>(n, grid_size, 6, VertexIds::narrow, last_narrow_vertex - n));
-    EXPECT_EQ(by_rotation, links<K>(n, grid_size, 6, VertexIds::narrow,
-                                    last_narrow_vertex - n / 2));  // they are made wide
+    EXPECT_EQ(in_one_round, links<K>(n, grid_size, 6, VertexIds::narrow));
+    EXPECT_EQ(in_one_round, links<K>(n, grid_size, 1, VertexIds::narrow));
+    EXPECT_EQ(in_one_round, links<K>(n, grid_size, 6, VertexIds::narrow, last_narrow_vertex - n));
+    EXPECT_EQ(in_one_round, links<K>(n, grid_size, 6, VertexIds::narrow,
+                                     last_narrow_vertex - n / 2));  // they are made wide
   }
 }
 
-TEST(RidgeTable, FindsWhatRotationFinds) {
+TEST(RidgeTable, LinksNeighbors) {
   const auto size = [](Index usual, Index small) {
     return static_cast<Index>(test::scaled_size(usual, small));
   };
-  expect_hashing_finds_what_rotation_finds<1>(30, 0);
-  expect_hashing_finds_what_rotation_finds<2>(200, 0);
-  expect_hashing_finds_what_rotation_finds<3>(size(300, 100), 0);
-  expect_hashing_finds_what_rotation_finds<3>(size(300, 100), 6);
-  expect_hashing_finds_what_rotation_finds<4>(size(150, 50), 0);
-  expect_hashing_finds_what_rotation_finds<5>(size(80, 30), 3);
-  expect_hashing_finds_what_rotation_finds<5>(size(60, 24), 0);
-  expect_hashing_finds_what_rotation_finds<6>(size(40, 18), 0);
-  expect_hashing_finds_what_rotation_finds<8>(20, 0);  // a cell's ids in more than one vector
-  expect_hashing_finds_what_rotation_finds<9>(18, 2);
+  expect_neighbors_are_linked<1>(30, 0);
+  expect_neighbors_are_linked<2>(200, 0);
+  expect_neighbors_are_linked<3>(size(300, 100), 0);
+  expect_neighbors_are_linked<3>(size(300, 100), 6);
+  expect_neighbors_are_linked<4>(size(150, 50), 0);
+  expect_neighbors_are_linked<5>(size(80, 30), 3);
+  expect_neighbors_are_linked<5>(size(60, 24), 0);
+  expect_neighbors_are_linked<6>(size(40, 18), 0);
+  expect_neighbors_are_linked<8>(20, 0);  // a cell's ids in more than one vector
+  expect_neighbors_are_linked<9>(18, 2);
 }
 
 // Two ridges of a star with the same hash are in the same entry whatever the round.
@@ -156,9 +178,8 @@ TEST(RidgeTable, TellsApartRidgesWithTheSameHash) {
 }
 
 // More half-ridges in a star than half of the bits of an entry can number.
-TEST(RidgeTable, FindsWhatRotationFindsInLargeStars) {
-  expect_hashing_finds_what_rotation_finds<7>(
-      static_cast<Index>(std::max<std::size_t>(test::scaled_count(150), 40)), 0);
+TEST(RidgeTable, LinksNeighborsOfLargeStars) {
+  expect_neighbors_are_linked<7>(static_cast<Index>(std::max<std::size_t>(test::scaled_count(150), 40)), 0);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "base/random.hpp"
 #include "engine/build.hpp"
+#include "engine/hole/refill.hpp"
 #include "geometry/delaunay_geometry.hpp"
 #include "kernel/predicates.hpp"
 
@@ -128,7 +129,7 @@ void expect_small_batch_undone(double grid_size, VertexIds ids) {
     if (turn > 0)
       for (std::size_t i = 0; i < 5 * turn; ++i) {
         const Index v = growing.others[i], cell = cell_of(v);
-        EXPECT_TRUE(cell == invalid_index || growing.build.remove(v, cell, filler) == Removal::taken_out);
+        EXPECT_TRUE(cell == invalid_index || remove(growing.build, v, cell, filler) == Outcome::done);
       }
     if (turn != 1) growing.insert(growing.others.size() - 10, growing.others.size());
     if (turn == 3) growing.insert(0, 5);
@@ -185,12 +186,12 @@ TEST(UndoLog, OfASmallBatchKnowsNewCellsFromOldOnes) {
     EXPECT_TRUE(noted.empty() && fresh.empty());
     const std::vector<Index> dying{2, 5};
     log.reserve_new(2);
-    log.note_new(7);  // as if its slot had been vacant
+    log.note_new(std::vector<Index>{7});  // as if its slot had been vacant
     log.note(cells, dying);
     log.note(cells, dying);
     log.note(cells, std::vector<Index>{7});  // new: not noted
-    log.note_new(5);                         // made again in its slot
-    log.note_new(7);
+    log.note_new(std::vector<Index>{5});     // made again in its slot
+    log.note_new(std::vector<Index>{7});
     look();
     EXPECT_TRUE(noted.empty());  // the cells are there, with their vertices
     EXPECT_EQ(fresh, std::vector<Index>{7});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Vertices have moved a little, or have other weights: most cells around them are still Delaunay, and only
-// their functionals are new. The others, and those next to them, are holes that are filled anew.
+// their functionals are new. The others, and those next to them, are holes that are filled again.
 //
 // Cells that are positively oriented and locally Delaunay at all facets are Delaunay if they are a
 // triangulation. That they are one follows from what they were before the vertices moved. While vertices
@@ -14,8 +14,9 @@
 
 #include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
-#include "engine/build.hpp"
+#include "engine/change.hpp"
 #include "engine/hole/moved_cells.hpp"
+#include "engine/hole/refill.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -31,60 +32,47 @@ namespace delone::engine {
 
 /// Memory is kept from one use to the next.
 template <int K, Geometry G>
-class Settling {
+class Relocation {
   using Query = typename G::Query;
 
  public:
-  Settling(Build<K, G>& build, HoleFiller<K, G>& filler)
-      : build_(build),
-        cells_(build.cells()),
-        geometry_(build.geometry()),
+  Relocation(Sphere<K, G>& sphere, HoleFiller<K, G>& filler)
+      : sphere_(sphere),
+        cells_(sphere.cells()),
+        geometry_(sphere.geometry()),
         filler_(filler),
         moved_cells_(cells_, geometry_) {}
 
-  /// After one vertex has moved, one of whose cells is `cell`. Returns false if it cannot stay where it is in
-  /// the cells, as on the hull, or if many of them would change. Then no cell has changed, but the
-  /// functionals of its cells are wrong.
-  bool settle(Index v, Index cell) {
-    made_ = {};
+  /// After one vertex has moved, one of whose cells is `cell`: keeps it where it is in the cells. `costly` if
+  /// that cannot be, as on the hull, or if many cells would change. Then no cell has changed, but the
+  /// functionals of those in star() are wrong.
+  Change relocate(Index v, Index cell) {
     bad_.clear();
     seeds_.clear();
-    if (!find_star(v, cell, false) || !renew_star()) return false;
+    if (!find_star(v, cell) || !renew_star()) return {Outcome::costly};
     find_bad_cells();
-    if (2 * seeds_.size() > around_.size()) return false;  // taking the vertex out costs no more
-    if (!fill_one_hole()) return false;
-    if (!hole_.empty()) made_ = filler_.created();
+    if (2 * seeds_.size() > around_.size()) return {Outcome::costly};  // removing the vertex costs no more
+    if (!fill_one_hole()) return {Outcome::costly};
     around_.insert(around_.end(), hole_.begin(), hole_.end());
-    return true;
+    return {Outcome::done, v, around_, hole_.empty() ? std::span<const Index>() : filler_.created()};
   }
   /// After any vertices have moved, in up to `threads` threads (Options::threads). `find_inside` returns a
-  /// query in the interior of the hull, with weights one as heavy as any vertex, or nothing. Returns false
-  /// soon where much has changed.
+  /// query in the interior of the hull, with weights one as heavy as any vertex, or nothing. `costly`, and
+  /// soon, where much has changed; then some cells may have changed, and all functionals are wrong. Some of
+  /// the cells that were made may be gone again.
   template <class FindInside>
-  bool settle_all(unsigned threads, FindInside&& find_inside) {
+  Change relocate_all(unsigned threads, FindInside&& find_inside) {
     bad_.clear();
     seeds_.clear();
     created_.clear();
-    if (!is_promising()) return false;
+    if (!is_promising()) return {Outcome::costly};
     find_all_bad_cells(threads);
-    if (!fill_holes() || !covers_once(threads, find_inside)) return false;
-    made_ = created_;
-    return true;
+    if (!fill_holes() || !covers_once(threads, find_inside)) return {Outcome::costly};
+    return {Outcome::done, invalid_index, {}, created_};
   }
-  /// Computes anew what is cached for the cells of vertex v, one of which is `cell`.
-  void renew(Index v, Index cell) noexcept {
-    try {
-      find_star(v, cell, true);
-    } catch (const std::bad_alloc&) {
-      build_.create_functionals();
-      return;
-    }
-    for (const Index around : around_) create_functional(cells_, geometry_, around);
-  }
-  /// Cells that have been created; some may have gone again.
-  std::span<const Index> created() const { return made_; }
-  /// After settle(): the cells that the vertex had, and those that have gone, some of them twice.
-  std::span<const Index> changed() const { return around_; }
+  /// The cells whose functionals relocate() has computed: those that the vertex had, or some of them; after a
+  /// relocation also those that are gone.
+  std::span<const Index> star() const { return around_; }
 
  private:
   enum State : std::uint32_t { is_bad, is_in_hole, is_new };
@@ -95,15 +83,15 @@ class Settling {
   int dimension() const { return cells_.dimension(); }
   std::size_t width() const { return static_cast<std::size_t>(dimension()) + 1; }
 
-  /// Returns false as soon as a cell of the star is infinite, if none may be.
-  bool find_star(Index v, Index cell, bool may_be_infinite) {
+  /// Returns false as soon as a cell of the star is infinite.
+  bool find_star(Index v, Index cell) {
     around_.clear();
     around_set_.clear();
     const auto add = [&](Index next) {
       if (!around_set_.insert(next, 0).second) return true;
       around_.push_back(next);
       cells_.prefetch_neighbors(next);
-      return may_be_infinite || !geometry_.is_infinite(next);
+      return !geometry_.is_infinite(next);
     };
     if (!add(cell)) return false;
     for (std::size_t i = 0; i < around_.size(); ++i) {
@@ -133,7 +121,7 @@ class Settling {
   }
   bool is_locally_delaunay(const FacetToTest& facet) {
     return facet.apex == index(infinite_vertex) ||
-           moved_cells_.is_locally_delaunay(facet, build_.effort().stages);
+           moved_cells_.is_locally_delaunay(facet, sphere_.effort().stages);
   }
 
   /// The cells on both sides of facets where those of the star are not locally Delaunay.
@@ -149,8 +137,8 @@ class Settling {
     }
   }
 
-  /// Whether few of some cells, evenly spaced, are bad. Where more are, holes grow into each other, and
-  /// building anew costs less.
+  /// Whether few of some cells, evenly spaced, are bad. If more are, holes grow into each other, and to
+  /// rebuild costs less.
   bool is_promising() {
     constexpr std::size_t most = 1024;
     const std::size_t one_in = 12 * static_cast<std::size_t>(dimension());
@@ -169,9 +157,9 @@ class Settling {
     return num_bad * one_in <= num_tested;
   }
 
-  /// Renews all cells, and finds those that are not positively oriented, and those on both sides of facets
-  /// where they are not locally Delaunay. A neighbor of a cell of the first kind may be missed; whatever
-  /// fills the hole is tested against it.
+  /// Computes the functionals of all cells, and finds those that are not positively oriented, and those on
+  /// both sides of facets where they are not locally Delaunay. A neighbor of a cell of the first kind may be
+  /// missed; whatever fills the hole is tested against it.
   void find_all_bad_cells(unsigned threads) {
     struct Found {
       std::vector<Index> inverted;
@@ -190,7 +178,7 @@ class Settling {
       for (const Index cell : part.inverted) add_bad(cell);
     for (const Found& part : found) {
       for (const FacetToTest& facet : part.bad) add_bad(facet);
-      build_.effort().stages += part.counts;
+      sphere_.effort().stages += part.counts;
     }
   }
 
@@ -202,7 +190,7 @@ class Settling {
   }
   /// Bad cells that are neighbors make a hole.
   bool fill_holes() {
-    // It takes time as the square of its size, and may take some per cent of what building anew takes.
+    // It takes time as the square of its size, and may take some per cent of what a rebuild takes.
     const auto share = static_cast<std::size_t>(3 * std::sqrt(static_cast<double>(cells_.num_cells())));
     const std::size_t most_cells = std::max(64 * width(), share);
     // Those at the hull first: they are the largest, and the likeliest to be too large.
@@ -229,7 +217,7 @@ class Settling {
       if (!may_reach_hull &&
           std::any_of(hole_.begin(), hole_.end(), [&](Index cell) { return geometry_.is_infinite(cell); }))
         return false;
-      if (build_.refill(hole_, filler_)) break;
+      if (refill(sphere_, hole_, filler_)) break;
       if (round == most_rounds) return false;
       const std::size_t before = hole_.size();
       for (std::size_t i = 0; i < before; ++i)
@@ -300,7 +288,7 @@ class Settling {
     return count;
   }
 
-  Build<K, G>& build_;
+  Sphere<K, G>& sphere_;
   CellStore<K>& cells_;
   G& geometry_;
   HoleFiller<K, G>& filler_;
@@ -309,7 +297,6 @@ class Settling {
   internal::StampedTable around_set_;  // the same
   internal::StampedTable bad_;         // the states of cells
   std::vector<Index> seeds_, hole_, created_;
-  std::span<const Index> made_;
   std::size_t calls_ = 0;
 };
 
