@@ -9,13 +9,11 @@
 #include "engine/workspace.hpp"
 #include "engine/wrap/is_worth_wrapping.hpp"
 #include "geometry/frame.hpp"
-#include "kernel/flat.hpp"
-#include "kernel/grid.hpp"
+#include "sites/vertex_points.hpp"
 
 #include <delone/complex.hpp>
 #include <delone/types.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -25,36 +23,7 @@
 
 namespace delone {
 
-/// The points of the vertices, which the engine reads: d coordinates each, and then the weight if points have
-/// one, by vertex id; vertex 0 is a dummy.
-struct VertexPoints {
-  VertexPoints(int dimension, kernel::RowForm given)
-      : ambient(dimension), form(given), coordinates(row_size(), 0.0), grid(dimension, weighted()) {}
-  int ambient;
-  kernel::RowForm form;
-  std::vector<double> coordinates;
-  kernel::Grid grid;
-
-  bool weighted() const { return form == kernel::RowForm::weighted_point; }
-  std::size_t row_size() const { return static_cast<std::size_t>(ambient) + (weighted() ? 1 : 0); }
-  /// The largest vertex id. Some vertices may have no cell: those that are hidden, removed, or not inserted
-  /// yet.
-  Index last_vertex() const { return static_cast<Index>(coordinates.size() / row_size()) - 1; }
-  /// What that may become without more memory.
-  Index last_expected() const { return static_cast<Index>(coordinates.capacity() / row_size()) - 1; }
-  const double* point(Index v) const { return coordinates.data() + static_cast<std::size_t>(v) * row_size(); }
-  /// Gives a vertex another point.
-  void set_point(Index v, const double* point) {
-    grid.include(point);
-    std::copy_n(point, row_size(), coordinates.begin() + static_cast<std::ptrdiff_t>(v * row_size()));
-  }
-  /// A grid for the points and a query.
-  kernel::Grid grid_with(const double* query) const {
-    kernel::Grid larger = grid;
-    larger.include(query);
-    return larger;
-  }
-};
+using sites::VertexPoints;
 
 /// Where a query lies: the cell the walk ended in, and for a finite one the slots of the smallest face that
 /// contains it.

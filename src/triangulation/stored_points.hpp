@@ -30,13 +30,13 @@ class StoredPoints : private Triangulation {
   }
   /// The vertex of each row, hidden or not; invalid_vertex for rows that were not inserted.
   static const std::vector<VertexId>& vertices_of_rows(const Triangulation& t) {
-    return impl_of(t).vertex_of_row;
+    return impl_of(t).sites().vertices_of_rows();
   }
-  static const VertexPoints& of(const Triangulation& t) { return impl_of(t).points; }
+  static const VertexPoints& of(const Triangulation& t) { return impl_of(t).points(); }
   /// The coordinates of an input row, followed by its weight if points have one; hidden or not. Null if the
   /// row was not inserted.
   static const double* of_row(const Triangulation& t, std::size_t row) {
-    const VertexId v = impl_of(t).vertex_of_row[row];
+    const VertexId v = impl_of(t).sites().vertex_of(row);
     return v == invalid_vertex ? nullptr : of(t).point(index(v));
   }
 };

@@ -48,9 +48,9 @@ Triangulation& Triangulation::operator=(Triangulation&&) noexcept = default;
 Triangulation::~Triangulation() = default;
 
 TriangulationKind Triangulation::kind() const {
-  return impl_->points.form == kernel::RowForm::point            ? TriangulationKind::delaunay
-         : impl_->points.form == kernel::RowForm::weighted_point ? TriangulationKind::regular
-                                                                 : TriangulationKind::furthest_site;
+  return impl_->points().form == kernel::RowForm::point            ? TriangulationKind::delaunay
+         : impl_->points().form == kernel::RowForm::weighted_point ? TriangulationKind::regular
+                                                                   : TriangulationKind::furthest_site;
 }
 
 void Triangulation::insert_points(std::span<const double> coordinates, std::span<const double> weights,
@@ -67,24 +67,27 @@ InsertResult Triangulation::insert_point(std::span<const double> point, double w
 }
 
 void Triangulation::apply(const RowEdits& edits) {
-  internal::guarded("the edit", [&] { impl_->edit(edits); });
+  internal::guarded("the edit", [&] {
+    impl_->edit(
+        {edits.remove, edits.move, edits.weigh, edits.to, edits.weights, edits.insert, edits.insert_weights});
+  });
 }
 
 void Triangulation::remove(std::span<const std::size_t> rows) { apply({.remove = rows}); }
 
 void Triangulation::record_changes(bool wanted) {
-  impl_->records_changes = wanted;
+  impl_->recording.changes = wanted;
   impl_->changes = {};
 }
 
 const Changes& Triangulation::changes() const {
-  if (!impl_->records_changes)
+  if (!impl_->recording.changes)
     throw Error(Errc::invalid_argument, "changes are not recorded: record_changes() was not called");
   return impl_->changes;
 }
 
 void Triangulation::record_undo(bool wanted) {
-  impl_->records_undo = wanted;
+  impl_->recording.undo = wanted;
   if (!wanted) impl_->forget_undo();
 }
 
@@ -105,30 +108,32 @@ void Triangulation::compact() {
   internal::guarded("a second copy of the cells", [&] { impl_->compact(); });
 }
 
-int Triangulation::dimension() const { return impl_->dimension; }
-int Triangulation::affine_dimension() const { return impl_->affine_hull.dimension(); }
-std::size_t Triangulation::num_points() const { return impl_->num_rows_inserted; }
-std::size_t Triangulation::num_rows() const { return impl_->vertex_of_row.size(); }
-Index Triangulation::num_vertices() const { return impl_->num_vertices; }
+int Triangulation::dimension() const { return impl_->dimension(); }
+int Triangulation::affine_dimension() const { return impl_->state->affine_hull.dimension(); }
+std::size_t Triangulation::num_points() const { return impl_->sites().num_present_rows(); }
+std::size_t Triangulation::num_rows() const { return impl_->sites().num_rows(); }
+Index Triangulation::num_vertices() const { return impl_->state->num_vertices; }
 std::size_t Triangulation::num_duplicates() const {
   return num_points() - num_vertices() - impl_->num_hidden();
 }
 Complex Triangulation::complex() const { return impl_->complex(); }
-std::vector<int> Triangulation::axes() const { return impl_->affine_hull.axes(); }
+std::vector<int> Triangulation::axes() const { return impl_->state->affine_hull.axes(); }
 
 std::span<const double> Triangulation::point(VertexId v) const {
-  return {impl_->points.point(impl_->checked_vertex(v)), impl_->ambient()};
+  return {impl_->points().point(impl_->checked_vertex(v)), impl_->ambient()};
 }
-std::size_t Triangulation::row_of(VertexId v) const { return impl_->row_of_vertex[impl_->checked_vertex(v)]; }
+std::size_t Triangulation::row_of(VertexId v) const {
+  return impl_->sites().row_of(impl_->checked_vertex(v));
+}
 VertexId Triangulation::vertex_at(std::size_t row) const {
   impl_->require_row(row);
-  const VertexId v = impl_->vertex_of_row[row];
-  return v != invalid_vertex && impl_->is_visible(index(v)) ? v : invalid_vertex;
+  const VertexId v = impl_->sites().vertex_of(row);
+  return v != invalid_vertex && impl_->state->is_visible(index(v)) ? v : invalid_vertex;
 }
 
 bool Triangulation::has_row(std::size_t row) const {
   impl_->require_row(row);
-  return impl_->vertex_of_row[row] != invalid_vertex;
+  return impl_->sites().vertex_of(row) != invalid_vertex;
 }
 bool Triangulation::is_hidden(std::size_t row) const { return impl_->is_hidden(row); }
 std::size_t Triangulation::num_hidden() const { return impl_->num_hidden(); }
@@ -140,9 +145,9 @@ Location Triangulation::locate(const AnyPoint<>& query, std::optional<CellId> hi
       impl_->queries() != nullptr && impl_->weighted() ? impl_->queries()->frame().low().back() : 0.0;
   std::vector<double> storage;
   const double* q = impl_->checked_query(query, lightest, storage);
-  const Index start = hint ? impl_->checked_hint(hint) : impl_->start_near(q);
+  const Index start = hint ? impl_->checked_hint(hint) : impl_->state->start_near(q);
   Location location;
-  if (affine_dimension() < dimension() && !impl_->affine_hull.contains(q)) return location;
+  if (affine_dimension() < dimension() && !impl_->state->affine_hull.contains(q)) return location;
   if (impl_->queries() == nullptr) {  // one point, and the query is in its affine hull: at it
     location.kind = Location::Kind::on_vertex;
     location.cell = CellId{0};
@@ -171,12 +176,12 @@ Side Triangulation::side_of_sphere(CellId cell, std::span<const double> query, d
 }
 
 double Triangulation::weight_of(VertexId v) const {
-  return impl_->points.point(impl_->checked_vertex(v))[impl_->ambient()];
+  return impl_->points().point(impl_->checked_vertex(v))[impl_->ambient()];
 }
 
 CellId Triangulation::find_hiding_cell(std::size_t row, std::optional<CellId> hint) const {
   if (!is_hidden(row)) throw Error(Errc::invalid_argument, "row " + std::to_string(row) + " is not hidden");
-  const double* const point = impl_->points.point(index(impl_->vertex_of_row[row]));
+  const double* const point = impl_->points().point(index(impl_->sites().vertex_of(row)));
   return locate(std::span(point, impl_->ambient()), hint).cell;
 }
 
@@ -196,17 +201,17 @@ ComplexData Triangulation::to_data(bool with_points) const {
       data.kind = DataKind::furthest_site;
       break;
   }
-  const std::size_t rows = impl_->vertex_of_row.size();
-  const auto row_of_vertex = [&](Index v) { return static_cast<SignedIndex>(impl_->row_of_vertex[v]); };
+  const std::size_t rows = impl_->sites().num_rows();
+  const auto row_of_vertex = [&](Index v) { return static_cast<SignedIndex>(impl_->sites().row_of(v)); };
   data.vertex_of_point.resize(rows);
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   internal::QuickRounds round;
   for (std::size_t row = 0; row < rows; ++row) {
     round();
-    const VertexId v = impl_->vertex_of_row[row];
+    const VertexId v = impl_->sites().vertex_of(row);
     data.vertex_of_point[row] = vertex_at(row) == invalid_vertex ? -1 : row_of_vertex(index(v));
     if (!with_points) continue;
-    const double* point = v == invalid_vertex ? nullptr : impl_->points.point(index(v));
+    const double* point = v == invalid_vertex ? nullptr : impl_->points().point(index(v));
     for (std::size_t j = 0; j < impl_->ambient(); ++j)
       data.points.push_back(point == nullptr ? unknown : point[j]);
     if (impl_->weighted()) data.weights.push_back(point == nullptr ? unknown : point[impl_->ambient()]);
@@ -227,7 +232,7 @@ ComplexData Triangulation::to_data(bool with_points) const {
 
 CanonicalHash Triangulation::hash(unsigned threads) const {
   const std::vector<VertexId> vertices = complex().finite_vertices();
-  const auto weight = [&](VertexId v) { return impl_->points.point(index(v))[impl_->ambient()]; };
+  const auto weight = [&](VertexId v) { return impl_->points().point(index(v))[impl_->ambient()]; };
   const bool with_weights =
       impl_->weighted() && std::any_of(vertices.begin(), vertices.end(),
                                        [&](VertexId v) { return weight(v) != weight(vertices.front()); });
@@ -237,7 +242,7 @@ CanonicalHash Triangulation::hash(unsigned threads) const {
                          [&](std::size_t first, std::size_t last, internal::HashAccumulator& some) {
                            for (std::size_t i = first; i < last; ++i) {
                              const Index v = index(vertices[i]);
-                             tags[v] = internal::point_tag(impl_->points.point(v),
+                             tags[v] = internal::point_tag(impl_->points().point(v),
                                                            dimension() + (with_weights ? 1 : 0));
                              some.add_vertex(tags[v]);
                            }
@@ -258,7 +263,7 @@ CanonicalHash Triangulation::hash(unsigned threads) const {
 }
 
 Statistics Triangulation::statistics() const {
-  Statistics s = impl_->statistics;
+  Statistics s = impl_->state->statistics;
   if (const TriangulationQueries* const queries = impl_->queries(); queries != nullptr) {
     const engine::Effort& effort = queries->effort();
     s.created_cells = effort.created_cells;

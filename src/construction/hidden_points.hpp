@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::construction {
 
 /// Lists by slots of cells, linked through the ids of the points.
 class HiddenPoints {
@@ -64,4 +64,4 @@ class HiddenPoints {
   std::size_t size_ = 0;
 };
 
-}  // namespace delone::internal
+}  // namespace delone::construction

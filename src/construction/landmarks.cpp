@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "triangulation/landmarks.hpp"
+#include "construction/landmarks.hpp"
 
 #include "base/compiler.hpp"
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace delone::internal {
+namespace delone::construction {
 
 Landmarks::Landmarks(const geometry::Frame& frame, std::size_t dimension)
     : low_(frame.low().begin(), frame.low().begin() + static_cast<std::ptrdiff_t>(dimension)),
@@ -73,4 +73,4 @@ void Landmarks::add(Index vertex, const double* point) {
   typical_ += (level > typical_) - (level < typical_);
 }
 
-}  // namespace delone::internal
+}  // namespace delone::construction

@@ -9,7 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::sites {
 
 /// For each vertex the rows at it but the first, ascending.
 class SharedRows {
@@ -48,4 +48,4 @@ class SharedRows {
   std::unordered_map<Index, std::vector<Index>> others_;
 };
 
-}  // namespace delone::internal
+}  // namespace delone::sites

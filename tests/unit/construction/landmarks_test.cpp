@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "triangulation/landmarks.hpp"
+#include "construction/landmarks.hpp"
 
 #include <delone/point_sets.hpp>
 
@@ -14,7 +14,7 @@
 namespace delone {
 namespace {
 
-using internal::Landmarks;
+using construction::Landmarks;
 
 constexpr auto any = [](Index) { return true; };
 

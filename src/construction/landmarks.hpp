@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::construction {
 
 /// For evenly spread points a search costs one or two cache misses, and for any points at most the logarithm
 /// of the number of levels. Memory: 16 to 32 bytes per vertex. A wrong answer only costs time, so two cubes
@@ -64,4 +64,4 @@ class Landmarks {
   int typical_ = 0;  // tracks the median of the levels so far: searches begin there
 };
 
-}  // namespace delone::internal
+}  // namespace delone::construction

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Many points become vertices at once.
+//
+// What insertions share is settled before the first one: the grid, the frame, the affine dimension, and the
+// id and the point of every vertex. Only duplicates are met on the way: the walk to a duplicate ends at its
+// vertex, so finding them costs nothing.
+#pragma once
+
+#include "base/build_limits.hpp"
+#include "construction/state.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace delone::construction {
+
+/// Part of a transaction: state.record notes what changes.
+class BulkInsertion {
+ public:
+  /// `order`: in which rows are to be inserted; `rounds`: where its rounds end that cover the whole set.
+  /// `keeps_slots`: cells must not be sorted afterwards, unless there is another engine. `tick` is told how
+  /// many rows have been inserted.
+  BulkInsertion(State& state, std::vector<Index> order, std::vector<std::size_t> rounds, bool keeps_slots,
+                internal::BuildLimits& limits, std::function<void(std::size_t)> tick);
+  BulkInsertion(const BulkInsertion&) = delete;
+  BulkInsertion& operator=(const BulkInsertion&) = delete;
+
+  /// Stores the points of the rows, which have the width of points: row order[i] is vertex first() + i. They
+  /// are not needed any more after it.
+  void take(std::span<const double> rows);
+  /// Makes all cells.
+  void run();
+
+  Index first() const { return first_; }
+  /// The order of those rows that have become vertices: without the duplicates that were found beforehand.
+  std::span<const Index> order() const { return order_; }
+  /// For each of these, the vertex at its point, or invalid_index if it is hidden.
+  std::span<const Index> at() const { return at_; }
+  bool is_duplicate(std::size_t place) const {
+    return at_[place] != first_ + place && at_[place] != invalid_index;
+  }
+  /// Rows that were found beforehand to repeat others, and these.
+  std::span<const std::pair<Index, Index>> duplicates() const { return duplicates_; }
+  /// How many threads have inserted rows.
+  unsigned threads() const { return threads_; }
+
+ private:
+  void find_spanning(std::span<const double> rows);
+  void find_box();
+  Index next_spanning();
+  void start();
+  void jump();
+  void seed();
+  bool wrap(std::span<const Index> simplex);
+  std::vector<Index> merge_duplicates();
+  void insert_at_only_vertex();
+  void insert_rest();
+  const double* point_at(std::size_t place) const {
+    return state_.sites.point(first_ + static_cast<Index>(place));
+  }
+
+  State& state_;
+  internal::BuildLimits& limits_;
+  const bool keeps_slots_;
+  std::vector<Index> order_;         // of rows, the places in which they are stored
+  std::vector<std::size_t> rounds_;  // where rounds of the order end
+  std::function<void(std::size_t)> tick_;
+  Index first_;
+  std::vector<double> low_, high_;  // the box of the rows
+  std::size_t num_spanning_ = 0;    // at the first places, each raises the affine dimension
+  std::size_t num_done_ = 0;        // places
+  std::vector<Index> at_;
+  std::vector<std::pair<Index, Index>> duplicates_;
+  unsigned threads_ = 1;
+};
+
+}  // namespace delone::construction

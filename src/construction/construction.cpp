@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "construction/construction.hpp"
+
+#include "base/large_vector.hpp"
+#include "base/parallel.hpp"
+#include "base/progress_meter.hpp"
+#include "base/stopwatch.hpp"
+#include "construction/bulk_insertion.hpp"
+#include "construction/editing.hpp"
+#include "order/insertion_order.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace delone::construction {
+namespace {
+
+/// Each point followed by its weight.
+std::vector<double> weighted_rows(PointsView points, std::span<const double> weights) {
+  std::vector<double> rows;
+  rows.reserve(points.size() * (static_cast<std::size_t>(points.dimension()) + 1));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    rows.insert(rows.end(), points[i].begin(), points[i].end());
+    rows.push_back(weights.empty() ? 0.0 : weights[i]);
+  }
+  return rows;
+}
+
+/// The cells at the beginning of a record, if the engine is another one now.
+std::vector<CellId> cells_before(const Record& record) {
+  if (!record.engine)
+    return record.affine_hull.dimension() == 0 ? std::vector{CellId{0}, CellId{1}} : std::vector<CellId>{};
+  std::vector<CellId> gone, made, cells;
+  if (record.engine_has_log) record.engine->changed_cells(gone, made);
+  std::sort(made.begin(), made.end());
+  for (const CellId c : record.engine->complex(0, {}).all_cells())
+    if (!std::binary_search(made.begin(), made.end(), c)) cells.push_back(c);
+  cells.insert(cells.end(), gone.begin(), gone.end());
+  return cells;
+}
+
+}  // namespace
+
+Construction::Construction(State& state, const Recording& recording, internal::BuildLimits& limits)
+    : state_(state), recording_(recording), limits_(limits), record_(std::make_unique<Record>()) {
+  record_->affine_hull = state.affine_hull;
+  record_->num_cell_of_vertex = state.cell_of_vertex.size();
+  record_->num_vertices = state.num_vertices;
+  record_->only_vertex = state.only_vertex();
+  record_->ids_told_of_timing = state.ids_tell_of_timing;
+  state.sites.begin(record_->sites);
+  state.record = record_.get();
+}
+
+Construction::~Construction() {
+  if (record_) roll_back(state_, *record_);
+}
+
+std::unique_ptr<Record> Construction::commit() {
+  state_.record = nullptr;
+  state_.sites.end();
+  std::unique_ptr<Record> record = std::move(record_);
+  if (recording_.undo) return record;
+  if (record->engine_has_log && !record->has_other_engine) state_.engine->keep_batch();
+  return nullptr;
+}
+
+void Construction::insert(std::span<const double> coordinates, std::span<const double> weights,
+                          const std::function<void()>& release) {
+  const PointsView view(coordinates, state_.dimension());
+  const std::vector<CellId> cells_before =
+      recording_.is_on() && state_.may_hide() ? state_.cell_of_vertex : std::vector<CellId>();
+  internal::Stopwatch stopwatch;
+  std::vector<std::size_t> rounds;
+  std::vector<Index> order = order::insertion_order(view, state_.options, &rounds);
+  const double order_seconds = stopwatch.restart();
+  internal::ProgressMeter progress(state_.options.progress, order.size());
+  state_.sites.reserve(view.size());
+  const std::size_t first_row = state_.sites.add_rows(view.size());
+  BulkInsertion bulk(state_, std::move(order), std::move(rounds), recording_.is_on(), limits_,
+                     [&](std::size_t done) { progress(done); });
+  bulk.take(state_.weighted() ? std::span<const double>(weighted_rows(view, weights)) : coordinates);
+  if (release) release();
+  bulk.run();
+  assign_rows(bulk, first_row);
+  sort_cells_on_record();
+  state_.hidden_points.reset();
+  state_.find_cells_of_vertices();
+  note_all_visibility(cells_before);
+  if (state_.landmarks) state_.add_landmarks(bulk.first(), state_.sites.points().last_vertex());
+  state_.statistics.order_seconds += order_seconds;
+  state_.statistics.build_seconds += stopwatch.seconds();
+}
+
+/// Of equal points, the first in the order is the vertex; then ids are given again, without gaps.
+void Construction::assign_rows(const BulkInsertion& bulk, std::size_t first_row) {
+  const std::span<const Index> order = bulk.order();
+  const Index first = bulk.first();
+  std::size_t num_duplicates = 0;
+  for (std::size_t i = 0; i < order.size(); ++i) num_duplicates += bulk.is_duplicate(i);
+  if (num_duplicates == 0) {
+    state_.sites.assign_in_order(order, first_row, first, bulk.threads());
+  } else {
+    sites::VertexPoints& points = state_.sites.points();
+    std::vector<Index> new_ids(first + order.size(), invalid_index);
+    std::iota(new_ids.begin(), new_ids.begin() + static_cast<std::ptrdiff_t>(first), Index{0});
+    Index next = first;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const Index own = first + static_cast<Index>(i);
+      Index& id = new_ids[bulk.is_duplicate(i) ? bulk.at()[i] : own];
+      if (id == invalid_index) {
+        id = next++;
+        if (id != own)
+          std::copy_n(points.point(own), points.row_size(),
+                      points.coordinates.data() + id * points.row_size());
+      }
+      state_.sites.assign(first_row + order[i], id);
+    }
+    points.coordinates.resize(next * points.row_size());
+    if (state_.engine)
+      state_.engine->renumber_vertices(new_ids);
+    else
+      state_.only_vertex() = new_ids[state_.only_vertex()];
+  }
+  for (const auto& [row, same] : bulk.duplicates())
+    state_.sites.assign(first_row + row, index(state_.sites.vertex_of(first_row + same)));
+}
+
+void Construction::edit(const RowEdits& edits, const EditHints& hints) { Editing(*this, edits, hints).run(); }
+
+/// What is recorded of cells would be dropped if they were sorted later.
+void Construction::sort_cells_on_record() {
+  if (!recording_.is_on() || !state_.ids_tell_of_timing || !record_->has_other_engine) return;
+  state_.engine->sort_cells(internal::threads_to_use(state_.options.threads));
+  state_.ids_tell_of_timing = false;
+}
+
+/// After all vertices may have got or lost cells. `before`: their cells then.
+void Construction::note_all_visibility(std::span<const CellId> before) {
+  for (Index v = 1; v < before.size(); ++v)
+    if ((before[v] != invalid_cell) != state_.is_visible(v))
+      record_->were_visible.emplace_back(v, before[v] != invalid_cell);
+}
+
+Changes Construction::changes_since(const State& state, const Record& record) {
+  Changes made;
+  if (state.engine && !record.has_other_engine) {
+    if (record.engine_has_log) state.engine->changed_cells(made.killed, made.born);
+  } else if (state.engine || record.engine ||
+             state.affine_hull.dimension() != record.affine_hull.dimension() ||
+             state.single_links[0] != record.only_vertex || !record.sites.moved.empty()) {
+    made.killed = cells_before(record);
+    for (const CellId c : state.complex().all_cells()) made.born.push_back(c);
+  }
+  const auto is_gone = [&](Index v) { return !state.sites.has_rows(v); };
+  const auto was_there = [&](Index v) { return v < record.sites.num_ids; };
+  for (Index v = record.sites.num_ids; v < state.sites.num_ids(); ++v)
+    if (!is_gone(v)) made.came.push_back(VertexId{v});
+  for (const sites::Journal::MovedRow& moved : record.sites.rows)
+    if (moved.before != invalid_vertex && was_there(index(moved.before)) && is_gone(index(moved.before)))
+      made.gone.push_back(moved.before);
+  std::vector<std::pair<Index, bool>> seen = record.were_visible;
+  std::stable_sort(seen.begin(), seen.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const auto [v, was_visible] = seen[i];
+    const bool is_first = i == 0 || seen[i - 1].first != v;
+    if (is_first && was_there(v) && !is_gone(v) && was_visible != state.is_visible(v))
+      (was_visible ? made.hid : made.reappeared).push_back(VertexId{v});
+  }
+  for (const Index v : record.sites.moved)
+    if (!is_gone(v)) made.moved.push_back(VertexId{v});
+  const auto sort = [](auto& ids) {
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  };
+  sort(made.killed);
+  sort(made.born);
+  sort(made.gone);
+  sort(made.moved);
+  return made;
+}
+
+void Construction::roll_back(State& state, Record& record) noexcept {
+  state.record = nullptr;
+  state.sites.roll_back(record.sites);
+  state.ids_tell_of_timing = record.ids_told_of_timing;
+  state.affine_hull = std::move(record.affine_hull);
+  state.only_vertex() = record.only_vertex;
+  state.hidden_points.reset();
+  if (record.has_other_engine) {
+    state.engine = std::move(record.engine);
+    state.landmarks.reset();
+  }
+  // What has come to be visible is not; what was visible and has lost cells gets them back next.
+  std::vector<CellId>& cell_of_vertex = state.cell_of_vertex;
+  for (const auto& [v, was_visible] : record.were_visible)
+    if (!was_visible && v < cell_of_vertex.size()) cell_of_vertex[v] = invalid_cell;
+  if (state.engine && record.engine_has_log)
+    state.engine->undo_batch(record.sites.moved, [&](Index cell) {
+      const Complex now = state.engine->complex(0, {});
+      for (int i = 0; i <= now.affine_dimension(); ++i)
+        cell_of_vertex[index(now.vertex(CellId{cell}, i))] = CellId{cell};
+    });
+  if (record.has_other_engine || !state.engine) {
+    std::fill(cell_of_vertex.begin(), cell_of_vertex.end(), invalid_cell);
+    state.find_cells_of_vertices();
+  }
+  cell_of_vertex.resize(record.num_cell_of_vertex, invalid_cell);
+  internal::shrink_large(cell_of_vertex);
+  state.num_vertices = record.num_vertices;
+}
+
+}  // namespace delone::construction

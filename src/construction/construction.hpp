@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A transaction on sites and cells: rows are inserted in bulk, or edited, whole or not at all.
+#pragma once
+
+#include "base/build_limits.hpp"
+#include "construction/edit_lists.hpp"
+#include "construction/state.hpp"
+
+#include <delone/edit.hpp>
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace delone::construction {
+
+/// What is wanted of what a transaction notes.
+struct Recording {
+  bool changes = false, undo = false;
+  bool is_on() const { return changes || undo; }
+};
+
+/// What is known of an edit beforehand.
+struct EditHints {
+  Index start = invalid_index;  ///< a cell to walk from to the first new point, if nothing is removed
+  bool rebuilds = false;        ///< to rebuild everything costs less
+  bool moves_in_place = true;   ///< vertices that move may stay where they are in the cells
+};
+
+class Construction {
+ public:
+  /// From here on everything that changes is noted. `limits` hears if cells are made in another way than by
+  /// inserting points.
+  Construction(State& state, const Recording& recording, internal::BuildLimits& limits);
+  /// Unless it was committed, everything is as it was.
+  ~Construction();
+  Construction(const Construction&) = delete;
+  Construction& operator=(const Construction&) = delete;
+
+  /// Inserts rows: d coordinates each, `weights` one each or none: all are 0. `release`, if there is one, is
+  /// called when the coordinates are not needed any more, before most cells are created.
+  void insert(std::span<const double> coordinates, std::span<const double> weights,
+              const std::function<void()>& release);
+  /// Removes, moves, reweights and inserts rows. REQUIRES lists that are valid (require_valid()).
+  void edit(const RowEdits& edits, const EditHints& hints);
+
+  /// What the transaction has done so far.
+  Changes changes() const { return changes_since(state_, *record_); }
+  /// Keeps what was done. Returns what it takes to undo it, if that is wanted: then nothing else may change
+  /// before roll_back(), or forget().
+  std::unique_ptr<Record> commit();
+
+  /// What has changed since the beginning of a record.
+  static Changes changes_since(const State& state, const Record& record);
+  static void roll_back(State& state, Record& record) noexcept;
+  /// What a committed record would undo stays.
+  static void forget(State& state) {
+    if (state.engine) state.engine->keep_batch();
+  }
+
+ private:
+  friend class Editing;
+  void sort_cells_on_record();
+  void note_all_visibility(std::span<const CellId> before);
+  void assign_rows(const class BulkInsertion& bulk, std::size_t first_row);
+
+  State& state_;
+  const Recording recording_;
+  internal::BuildLimits& limits_;
+  std::unique_ptr<Record> record_;
+};
+
+}  // namespace delone::construction
