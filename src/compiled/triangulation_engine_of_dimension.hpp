@@ -100,9 +100,10 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
     work.tracks_swallowed = false;
     if (at == invalid_index) return {engine::Outcome::hidden};
     if (at != v) return {engine::Outcome::duplicate, at};
-    made_.clear();
-    for (const HorizonFacet& facet : work.star()) made_.push_back(facet.created);
-    return {engine::Outcome::done, v, gone(), made_, work.swallowed};
+    Index* const made = work.zone.made.data();
+    std::transform(work.star().begin(), work.star().end(), made,
+                   [](const HorizonFacet& facet) { return facet.created; });
+    return {engine::Outcome::done, v, gone(), {made, work.star().size()}, work.swallowed};
   }
   void insert_all(const engine::ParallelBatch& batch) override {
     need_functionals();
@@ -317,7 +318,6 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
 
   VertexPoints& points_;
   std::unique_ptr<Edits> edits_;  // from the first edit on
-  std::vector<Index> made_;       // by the last insertion
   std::vector<double> before_;    // the point of a vertex that moves
   std::vector<Index> renewed_;    // cells that a move in place has left, since the beginning of the batch …
   bool renews_all_ = false;       // … or all

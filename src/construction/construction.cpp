@@ -69,6 +69,11 @@ std::unique_ptr<Record> Construction::commit() {
 void Construction::insert(std::span<const double> coordinates, std::span<const double> weights,
                           const std::function<void()>& release) {
   const PointsView view(coordinates, state_.dimension());
+  if (is_shared_on_record(view.size())) {
+    edit({.insert = coordinates, .insert_weights = weights}, {.rebuilds = true});
+    if (release) release();
+    return;
+  }
   const std::vector<CellId> cells_before =
       recording_.is_on() && state_.may_hide() ? state_.cell_of_vertex : std::vector<CellId>();
   internal::Stopwatch stopwatch;
@@ -91,6 +96,14 @@ void Construction::insert(std::span<const double> coordinates, std::span<const d
   if (state_.landmarks) state_.add_landmarks(bulk.first(), state_.sites.points().last_vertex());
   state_.statistics.order_seconds += order_seconds;
   state_.statistics.build_seconds += stopwatch.seconds();
+}
+
+/// Whether a batch on record is for several threads. They share a rebuild, but not a batch into cells that
+/// must keep their slots; so it has to be larger than what there is.
+bool Construction::is_shared_on_record(std::size_t num_points) const {
+  return recording_.is_on() && state_.engine && num_points > state_.num_vertices &&
+         state_.engine->shares_batches_of(num_points) &&
+         engine::threads_for_batch(state_.options.threads, num_points, state_.dimension()) > 1;
 }
 
 /// Of equal points, the first in the order is the vertex; then ids are given again, without gaps.

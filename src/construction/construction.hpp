@@ -61,6 +61,7 @@ class Construction {
 
  private:
   friend class Editing;
+  bool is_shared_on_record(std::size_t num_points) const;
   void sort_cells_on_record();
   void note_all_visibility(std::span<const CellId> before);
   void assign_rows(const class BulkInsertion& bulk, std::size_t first_row);

@@ -65,6 +65,7 @@ struct ConflictZone {
   GrowableArray<std::uint8_t> has_facets;  ///< of each cell in conflict
   GrowableArray<Index> without_facets;     ///< cells in conflict that have none
   GrowableArray<std::uint32_t> others;     ///< facets that are not the last of their cell in conflict
+  GrowableArray<Index> made;               ///< room for the cells of that star
   // The block that is being searched.
   std::vector<Candidate> candidates;
   std::vector<double> candidate_values;  ///< h̃(q) of each
@@ -95,6 +96,7 @@ struct ConflictZone {
     has_facets.reserve(size);
     without_facets.reserve(size);
     others.reserve(size);
+    made.reserve(size);
     const std::size_t neighbors = shared_block_size(facets_of_cell) * facets_of_cell,
                       most_open = neighbors + enough_open(facets_of_cell);
     candidates.resize(neighbors + 1);
