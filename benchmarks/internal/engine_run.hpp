@@ -109,7 +109,7 @@ class EngineRun {
     std::vector<Index> at(order.size() - (K + 1));
     const std::size_t few = std::min<std::size_t>(at.size(), delone::engine::few_vertices<K>);
     for (std::size_t i = 0; i < few; ++i) build_.insert(first + static_cast<Index>(i));
-    const delone::engine::ParallelBatch batch{workers, first, at, rounds, [](std::size_t) {}};
+    const delone::engine::Batch batch{workers, first, at, rounds, [](std::size_t) {}};
     delone::engine::ParallelInsertion<K, Geometry, Schedule>(build_.insertion_parts(), batch,
                                                              std::move(schedule))
         .insert_from(few);

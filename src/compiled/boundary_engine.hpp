@@ -37,7 +37,7 @@ class BoundaryEngine {
   virtual Insertion insert(Index site) = 0;
   /// Inserts all vertices of a batch, each as insert() does. After an exception in several threads cells are
   /// of no use unless the batch is undone.
-  virtual void insert_all(const engine::ParallelBatch& batch) = 0;
+  virtual void insert_all(const engine::Batch& batch) = 0;
   /// Whether several threads may insert a batch of so many vertices.
   virtual bool shares_batches_of(std::size_t num_vertices) const = 0;
   /// Gives cells ids that depend on their vertices alone, and on the places where these come in a certain

@@ -34,17 +34,9 @@ class BoundaryEngineOfDimension final : public BoundaryOfCells<K> {
     if (build_.insert(v) == v) return Insertion::vertex;
     return build_.workspace().is_strictly_hidden ? Insertion::interior : Insertion::hidden;
   }
-  void insert_all(const engine::ParallelBatch& batch) override {
-    if (batch.threads > 1) return build_.insert_all(batch);
-    for (std::size_t i = 0; i < batch.at.size(); ++i) {
-      batch.at[i] = build_.insert(batch.vertex(i));
-      batch.note_strictly(i, build_.workspace().is_strictly_hidden);
-      batch.tick(i + 1);
-    }
-  }
+  void insert_all(const engine::Batch& batch) override { build_.insert_all(batch); }
   bool shares_batches_of(std::size_t num_vertices) const override {
-    if constexpr (is_shared) return geometry().can_walk() && num_vertices > decltype(build_)::few_vertices;
-    return false;
+    return is_shared && geometry().can_walk() && num_vertices > engine::few_vertices<K>;
   }
   void sort_cells([[maybe_unused]] std::span<const Index> places,
                   [[maybe_unused]] unsigned threads) override {
@@ -80,7 +72,7 @@ class BoundaryEngineOfDimension final : public BoundaryOfCells<K> {
   }
 
   /// Whether several threads may insert at once.
-  static constexpr bool is_shared = K >= 2 && K <= 6;
+  static constexpr bool is_shared = engine::is_shareable(K);
 
   static std::vector<Index> vertices_of(std::vector<Index> sites) {
     for (Index& site : sites) ++site;

@@ -79,7 +79,7 @@ class TriangulationEngine : public TriangulationQueries {
   virtual engine::Change insert(Index v, Index start) = 0;
   /// Inserts all vertices of a batch, in up to batch.threads threads where they can share cells. Does not
   /// tell which vertices are swallowed. After an exception cells are of no use unless the batch is undone.
-  virtual void insert_all(const engine::ParallelBatch& batch) = 0;
+  virtual void insert_all(const engine::Batch& batch) = 0;
   /// Removes vertex v, one of whose cells is `cell`: done, flat or costly. Strong guarantee.
   virtual engine::Change remove(Index v, Index cell) = 0;
   /// Moves vertex v, one of whose cells is `cell`, to a point in the frame, where it stays among its cells:

@@ -105,7 +105,7 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
                    [](const HorizonFacet& facet) { return facet.created; });
     return {engine::Outcome::done, v, gone(), {made, work.star().size()}, work.swallowed};
   }
-  void insert_all(const engine::ParallelBatch& batch) override {
+  void insert_all(const engine::Batch& batch) override {
     need_functionals();
     build_.insert_all(batch);
   }

@@ -226,8 +226,7 @@ void BulkInsertion::insert_rest() {
   std::vector<std::size_t> rounds;
   for (const std::size_t end : rounds_)
     if (end > begin) rounds.push_back(end - begin);
-  engine::ParallelBatch batch{threads_, first_ + static_cast<Index>(begin), std::span(at_).subspan(begin),
-                              rounds};
+  engine::Batch batch{threads_, first_ + static_cast<Index>(begin), std::span(at_).subspan(begin), rounds};
   batch.tick = [&](std::size_t done) { tick_(begin + done); };
   state_.engine->insert_all(batch);
   num_done_ = order_.size();

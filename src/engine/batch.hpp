@@ -14,20 +14,7 @@
 namespace delone::engine {
 
 /// Vertices to be inserted.
-class Batch {
- public:
-  /// The next vertex, in the order of insertion, or invalid_index after the last.
-  virtual Index next() = 0;
-  /// What has become of vertex v: `at` is v, the vertex that was at its point already, or invalid_index if v
-  /// is hidden; `strictly`: for certain not on the hyperplane of any cell. May throw to end the loop.
-  virtual void placed(Index v, Index at, bool strictly) = 0;
-
- protected:
-  ~Batch() = default;
-};
-
-/// Vertices to be inserted.
-struct ParallelBatch {
+struct Batch {
   unsigned threads;     ///< several are used once there are enough cells for them
   Index first;          ///< vertices first, first + 1, …, in the order of insertion; but see `steps`
   std::span<Index> at;  ///< receives, for each, the vertex at its point, or invalid_index if it is hidden

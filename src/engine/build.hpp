@@ -41,7 +41,7 @@ class Build : public Sphere<K, G> {
   }
 
   /// The loop (§2.2), in the order of §3.1; in several threads once there are enough cells for them.
-  void insert_all(const ParallelBatch& batch) {
+  void insert_all(const Batch& batch) {
     for (std::size_t i = 0; i < batch.size(); ++i) {
       if (this->has_work_for_threads(batch, i)) return this->insert_in_threads(batch, i);
       batch.at[i] = insert(batch.vertex(i));

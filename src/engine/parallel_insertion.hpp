@@ -149,7 +149,7 @@ class alignas(128) Worker final : public SlotSource {
 
   /// Inserts vertex number i of a batch, or changes nothing. What the insertion claims is held until the next
   /// one, or release().
-  Outcome insert(const ParallelBatch& batch, std::size_t i) {
+  Outcome insert(const Batch& batch, std::size_t i) {
     end_last();
     const Index v = batch.vertex(i);
     Index& at = batch.at[i];
@@ -299,7 +299,7 @@ struct InsertionParts {
 template <int K, class G, class Schedule = WorkersInThreads>
 class ParallelInsertion {
  public:
-  ParallelInsertion(InsertionParts<K, G> parts, const ParallelBatch& batch, Schedule schedule = {})
+  ParallelInsertion(InsertionParts<K, G> parts, const Batch& batch, Schedule schedule = {})
       : parts_(parts),
         schedule_(std::move(schedule)),
         batch_(batch),
@@ -481,7 +481,7 @@ class ParallelInsertion {
 
   InsertionParts<K, G> parts_;
   Schedule schedule_;
-  const ParallelBatch& batch_;
+  const Batch& batch_;
   ClaimTable claims_;
   SharedSlots<K> slots_;
   typename W::Shared shared_;

@@ -179,14 +179,14 @@ class Sphere {
   }
 
   /// Whether the rest of a batch, of which some vertices are inserted, is for several threads.
-  bool has_work_for_threads(const ParallelBatch& batch, std::size_t num_done) const {
+  bool has_work_for_threads(const Batch& batch, std::size_t num_done) const {
     if constexpr (is_shared<K, G>)
       return batch.threads > 1 && geometry_.can_walk() && batch.size() > few_vertices<K> &&
              (num_done >= few_vertices<K> || cells_.num_cells() >= many_cells<K>);
     return false;
   }
   /// Inserts the rest in several threads. After an exception cells are of no use unless the batch is undone.
-  void insert_in_threads(const ParallelBatch& batch, std::size_t num_done) {
+  void insert_in_threads(const Batch& batch, std::size_t num_done) {
     if constexpr (is_shared<K, G>) {
       work_.clear();
       ParallelInsertion<K, G>(insertion_parts(), batch).insert_from(num_done);

@@ -36,7 +36,7 @@ class Boundary {
   void insert_all(std::span<const Index> sites, const std::function<void(std::size_t)>& tick);
   /// The same by several threads, if there are more than one. Where many sites turn out to be in the
   /// interior, those of the next round are tested first and never claim a cell. `rounds`: as for
-  /// engine::ParallelBatch. REQUIRES shares_batches_of() and prepare_for_threads() for several.
+  /// engine::Batch. REQUIRES shares_batches_of() and prepare_for_threads() for several.
   void insert_all(std::span<const Index> sites, std::span<const std::size_t> rounds, unsigned threads,
                   const std::function<void(std::size_t)>& tick);
   /// Whether several threads may insert so many sites.

@@ -79,7 +79,7 @@ struct Batches {
   void insert_rest(unsigned threads) {
     at.assign(num_points - num_first(), invalid_index);
     const std::vector<std::size_t> rounds{at.size() / 5, at.size()};
-    const ParallelBatch batch{threads, num_first() + 1, at, rounds, [](std::size_t) {}};
+    const Batch batch{threads, num_first() + 1, at, rounds, [](std::size_t) {}};
     ParallelInsertion<K, Geometry, UnsteadyWorkers>(points.build.insertion_parts(), batch).insert_from(0);
   }
 
