@@ -52,7 +52,7 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
     build_.seed(oriented);
   }
   void jump(const Complex& old, Index apex) override {
-    geometry().set_rows(std::max(old.num_vertex_slots() - 1, apex));
+    geometry().set_rows(std::min(std::max(old.num_vertex_slots() - 1, apex), points_.last_vertex()));
     const CellId finite = *old.finite_cells().begin();
     std::vector<Index> simplex;
     for (int i = 0; i <= old.affine_dimension(); ++i) simplex.push_back(index(old.vertex(finite, i)));
@@ -107,6 +107,7 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
   }
   void insert_all(const engine::Batch& batch) override {
     need_functionals();
+    build_.workspace().tracks_swallowed = false;  // also after an insertion that has failed
     build_.insert_all(batch);
   }
   engine::Change remove(Index v, Index cell) override {

@@ -3,7 +3,6 @@
 
 #include "base/compiled_dimension.hpp"
 #include "base/compiler.hpp"
-#include "base/large_vector.hpp"
 #include "base/parallel.hpp"
 
 #include <algorithm>
@@ -133,13 +132,8 @@ void BulkInsertion::seed() {
     state_.only_vertex() = simplex.front();
     return;
   }
-  for (Index v = 1; v < first_; ++v)
-    for (std::size_t j = 0; j < state_.row_size(); ++j) {
-      low_[j] = std::min(low_[j], state_.sites.point(v)[j]);
-      high_[j] = std::max(high_[j], state_.sites.point(v)[j]);
-    }
   state_.replace_engine(
-      state_.new_engine(state_.affine_hull, geometry::Frame(low_, high_, state_.sites.points().form)));
+      state_.new_engine(state_.affine_hull, state_.frame_with(low_.data(), high_.data(), 0.0)));
   if (!wrap(simplex)) state_.engine->seed(simplex);
 }
 

@@ -20,29 +20,29 @@ namespace delone::construction {
 /// Part of a transaction: state.record notes what changes.
 class BulkInsertion {
  public:
-  /// `order`: in which rows are to be inserted; `rounds`: where its rounds end that cover the whole set.
-  /// `keeps_slots`: cells must not be sorted afterwards, unless there is another engine. `tick` is told how
-  /// many rows have been inserted.
+  /// `order`: in which rows are to be inserted; `rounds`: where stretches of it end, each of which covers the
+  /// whole set. `keeps_slots`: cells of the present engine keep their slots, so one thread inserts into it;
+  /// those of a new engine may be sorted afterwards. `tick` is told how many rows have been inserted.
   BulkInsertion(State& state, std::vector<Index> order, std::vector<std::size_t> rounds, bool keeps_slots,
                 internal::BuildLimits& limits, std::function<void(std::size_t)> tick);
   BulkInsertion(const BulkInsertion&) = delete;
   BulkInsertion& operator=(const BulkInsertion&) = delete;
 
-  /// Stores the points of the rows, which have the width of points: row order[i] is vertex first() + i. They
-  /// are not needed any more after it.
+  /// Copies the rows, of as many numbers as points have: that of order()[i] becomes the point of vertex
+  /// first() + i. `rows` is not needed afterwards.
   void take(std::span<const double> rows);
   /// Makes all cells.
   void run();
 
   Index first() const { return first_; }
-  /// The order of those rows that have become vertices: without the duplicates that were found beforehand.
+  /// The rows in the order of their vertices, without the repeating ones of duplicates().
   std::span<const Index> order() const { return order_; }
   /// For each of these, the vertex at its point, or invalid_index if it is hidden.
   std::span<const Index> at() const { return at_; }
   bool is_duplicate(std::size_t place) const {
     return at_[place] != first_ + place && at_[place] != invalid_index;
   }
-  /// Rows that were found beforehand to repeat others, and these.
+  /// Pairs of a row that repeats another one and that one, if they were found before wrapping.
   std::span<const std::pair<Index, Index>> duplicates() const { return duplicates_; }
   /// How many threads have inserted rows.
   unsigned threads() const { return threads_; }

@@ -22,7 +22,7 @@ std::vector<double> weighted_rows(PointsView points, std::span<const double> wei
   rows.reserve(points.size() * (static_cast<std::size_t>(points.dimension()) + 1));
   for (std::size_t i = 0; i < points.size(); ++i) {
     rows.insert(rows.end(), points[i].begin(), points[i].end());
-    rows.push_back(weights.empty() ? 0.0 : weights[i]);
+    rows.push_back(weights[i]);
   }
   return rows;
 }
@@ -69,8 +69,9 @@ std::unique_ptr<Record> Construction::commit() {
 void Construction::insert(std::span<const double> coordinates, std::span<const double> weights,
                           const std::function<void()>& release) {
   const PointsView view(coordinates, state_.dimension());
-  if (is_shared_on_record(view.size())) {
-    edit({.insert = coordinates, .insert_weights = weights}, {.rebuilds = true});
+  const bool is_shared = is_shared_on_record(view.size());
+  if (is_shared || is_small_on_record(view.size())) {
+    edit({.insert = coordinates, .insert_weights = weights}, {.rebuilds = is_shared});
     if (release) release();
     return;
   }
@@ -98,15 +99,21 @@ void Construction::insert(std::span<const double> coordinates, std::span<const d
   state_.statistics.build_seconds += stopwatch.seconds();
 }
 
-/// Whether a batch on record is for several threads. They share a rebuild, but not a batch into cells that
-/// must keep their slots; so it has to be larger than what there is.
+/// Whether a batch on record is so small that it should not cost what looks at all cells.
+bool Construction::is_small_on_record(std::size_t num_points) const {
+  return recording_.is_on() && state_.engine && num_points < state_.num_vertices / 64;
+}
+
+/// Whether a batch on record is for several threads. They cannot insert into cells that must keep their
+/// slots, but they can share a rebuild. That pays if the batch has more points than there are.
 bool Construction::is_shared_on_record(std::size_t num_points) const {
   return recording_.is_on() && state_.engine && num_points > state_.num_vertices &&
          state_.engine->shares_batches_of(num_points) &&
          engine::threads_for_batch(state_.options.threads, num_points, state_.dimension()) > 1;
 }
 
-/// Of equal points, the first in the order is the vertex; then ids are given again, without gaps.
+/// Gives the rows their vertices. Of equal points, the first in the order is the vertex; the gaps that the
+/// others leave in the ids are closed.
 void Construction::assign_rows(const BulkInsertion& bulk, std::size_t first_row) {
   const std::span<const Index> order = bulk.order();
   const Index first = bulk.first();
@@ -142,7 +149,7 @@ void Construction::assign_rows(const BulkInsertion& bulk, std::size_t first_row)
 
 void Construction::edit(const RowEdits& edits, const EditHints& hints) { Editing(*this, edits, hints).run(); }
 
-/// What is recorded of cells would be dropped if they were sorted later.
+/// A later sort_cells() would drop the record, so cells of a new engine are sorted now.
 void Construction::sort_cells_on_record() {
   if (!recording_.is_on() || !state_.ids_tell_of_timing || !record_->has_other_engine) return;
   state_.engine->sort_cells(internal::threads_to_use(state_.options.threads));
@@ -210,15 +217,16 @@ void Construction::roll_back(State& state, Record& record) noexcept {
   for (const auto& [v, was_visible] : record.were_visible)
     if (!was_visible && v < cell_of_vertex.size()) cell_of_vertex[v] = invalid_cell;
   if (state.engine && record.engine_has_log)
-    state.engine->undo_batch(record.sites.moved, [&](Index cell) {
+    state.engine->undo_batch(record.sites.moved, [&state](Index cell) {
       const Complex now = state.engine->complex(0, {});
       for (int i = 0; i <= now.affine_dimension(); ++i)
-        cell_of_vertex[index(now.vertex(CellId{cell}, i))] = CellId{cell};
+        state.cell_of_vertex[index(now.vertex(CellId{cell}, i))] = CellId{cell};
     });
   if (record.has_other_engine || !state.engine) {
     std::fill(cell_of_vertex.begin(), cell_of_vertex.end(), invalid_cell);
     state.find_cells_of_vertices();
   }
+  cell_of_vertex.resize(std::min<std::size_t>(record.num_cell_of_vertex, record.sites.num_ids));
   cell_of_vertex.resize(record.num_cell_of_vertex, invalid_cell);
   internal::shrink_large(cell_of_vertex);
   state.num_vertices = record.num_vertices;

@@ -30,16 +30,16 @@ struct EditHints {
 
 class Construction {
  public:
-  /// From here on everything that changes is noted. `limits` hears if cells are made in another way than by
-  /// inserting points.
+  /// From here on everything that changes is noted. `limits` is told while cells are wrapped: what is done
+  /// then is not counted in points.
   Construction(State& state, const Recording& recording, internal::BuildLimits& limits);
   /// Unless it was committed, everything is as it was.
   ~Construction();
   Construction(const Construction&) = delete;
   Construction& operator=(const Construction&) = delete;
 
-  /// Inserts rows: d coordinates each, `weights` one each or none: all are 0. `release`, if there is one, is
-  /// called when the coordinates are not needed any more, before most cells are created.
+  /// Inserts rows: d coordinates each, and one of `weights` if points have weights. `release`, if there is
+  /// one, is called when the coordinates are not needed any more, before most cells are created.
   void insert(std::span<const double> coordinates, std::span<const double> weights,
               const std::function<void()>& release);
   /// Removes, moves, reweights and inserts rows. REQUIRES lists that are valid (require_valid()).
@@ -54,13 +54,15 @@ class Construction {
   /// What has changed since the beginning of a record.
   static Changes changes_since(const State& state, const Record& record);
   static void roll_back(State& state, Record& record) noexcept;
-  /// What a committed record would undo stays.
+  /// The last committed transaction cannot be undone any more: the engine drops its log, the caller the
+  /// record.
   static void forget(State& state) {
     if (state.engine) state.engine->keep_batch();
   }
 
  private:
   friend class Editing;
+  bool is_small_on_record(std::size_t num_points) const;
   bool is_shared_on_record(std::size_t num_points) const;
   void sort_cells_on_record();
   void note_all_visibility(std::span<const CellId> before);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -85,20 +86,20 @@ bool Editing::are_steps_long() const {
   return 2 * num_long > num_all;
 }
 
-/// If many vertices move, all at once. If that fails, everything is rebuilt.
-void Editing::move_all_in_place() {
-  const auto moves = [](const Leaving& leaving) { return leaving.placement != none; };
-  const auto num_moving = static_cast<std::size_t>(std::count_if(leaving_.begin(), leaving_.end(), moves));
-  if (!state_.engine || state_.is_furthest()) return;
-  if (num_moving < 64 || num_moving < state_.num_vertices / 4) return;
-  if (are_steps_long()) return;
+/// If many vertices move, all at once. Returns false if everything has to be rebuilt.
+bool Editing::move_all_in_place() {
+  const auto num_moving =
+      static_cast<std::size_t>(std::count_if(leaving_.begin(), leaving_.end(), std::mem_fn(&Leaving::moves)));
+  if (!state_.engine || state_.is_furthest()) return true;
+  if (num_moving < 64 || num_moving < state_.num_vertices / 4) return true;
+  if (are_steps_long()) return true;
   const std::vector<Index> hidden = staying_hidden();
-  if (4 * hidden.size() > state_.num_vertices || meets_hidden(hidden)) return;
+  if (4 * hidden.size() > state_.num_vertices || meets_hidden(hidden)) return true;
   std::vector<double> low(state_.engine->frame().low()), high(state_.engine->frame().high());
   for (const Leaving& leaving : leaving_) {
-    if (!moves(leaving)) continue;
+    if (!leaving.moves()) continue;
     const double* const x = point(placements_[leaving.placement]);
-    if (state_.affine_hull.dimension() < state_.dimension() && !state_.affine_hull.contains(x)) return;
+    if (state_.affine_hull.dimension() < state_.dimension() && !state_.affine_hull.contains(x)) return true;
     for (std::size_t j = 0; j < low.size(); ++j) {
       low[j] = std::min(low[j], x[j]);
       high[j] = std::max(high[j], x[j]);
@@ -114,34 +115,34 @@ void Editing::move_all_in_place() {
   constexpr std::size_t ahead = 16;
   for (std::size_t i = 0; i < leaving_.size(); ++i) {
     if (i + ahead < leaving_.size()) prefetch(state_.sites.point(leaving_[i + ahead].vertex));
-    if (moves(leaving_[i])) state_.sites.move(leaving_[i].vertex, point(placements_[leaving_[i].placement]));
+    if (leaving_[i].moves()) state_.sites.move(leaving_[i].vertex, point(placements_[leaving_[i].placement]));
   }
   const engine::Change change = state_.engine->move_all(std::move(frame), state_.options.threads);
   if (!change.is_done()) {  // so much moves that all will be rebuilt
     restore_points(first);
-    return;
+    return false;
   }
   state_.update_cells(change.made);
   state_.landmarks.reset();
   std::vector<std::uint8_t> is_placed_now(placements_.size(), 0);
   for (const Leaving& leaving : leaving_)
-    if (moves(leaving)) is_placed_now[leaving.placement] = 1;
+    if (leaving.moves()) is_placed_now[leaving.placement] = 1;
   if (state_.may_hide()) state_.hidden_points = std::make_unique<HiddenPoints>();
   freed_.insert(freed_.end(), hidden.begin(), hidden.end());
   erase_placed(is_placed_now);
+  return true;
 }
 
 /// One by one. Hidden points of the cells that change are inserted again. Vertices that cannot stay where
 /// they are move in another way.
 void Editing::move_some_in_place() {
   if (!state_.engine || state_.is_furthest() || !hints_.moves_in_place || is_worth_rebuilding()) return;
-  const auto moves = [](const Leaving& leaving) { return leaving.placement != none; };
   std::vector<std::uint8_t> is_placed_now(placements_.size(), 0);
   std::size_t failures = 0;
-  if (std::any_of(leaving_.begin(), leaving_.end(), moves)) list_hidden_points();
+  if (std::any_of(leaving_.begin(), leaving_.end(), std::mem_fn(&Leaving::moves))) list_hidden_points();
   for (const Leaving& leaving : leaving_) {
     // Where one in two does not stay, trying costs more than it saves.
-    if (!moves(leaving) || failures > 16 + done_) continue;
+    if (!leaving.moves() || failures > 16 + done_) continue;
     const Placement& placement = placements_[leaving.placement];
     if (!can_stay(placement)) continue;
     begin_batch();
@@ -149,7 +150,7 @@ void Editing::move_some_in_place() {
     const engine::Change change =
         state_.engine->move(leaving.vertex, index(state_.cell_of_vertex[leaving.vertex]), point(placement));
     if (!change.is_done()) {
-      restore_points(record().sites.moved.size() - 1);
+      restore_points(record().sites.moved.size() - 1);  // which the engine has done: there is nothing to note
       ++failures;
       continue;
     }
@@ -164,7 +165,6 @@ void Editing::move_some_in_place() {
 
 /// Placements that are done, and vertices that need not leave.
 void Editing::erase_placed(const std::vector<std::uint8_t>& is_placed_now) {
-  const auto moves = [](const Leaving& leaving) { return leaving.placement != none; };
   std::vector<Index> new_places(placements_.size(), none);
   Index count = 0;
   for (std::size_t i = 0; i < placements_.size(); ++i) {
@@ -174,10 +174,10 @@ void Editing::erase_placed(const std::vector<std::uint8_t>& is_placed_now) {
   }
   placements_.resize(count);
   std::erase_if(leaving_, [&](const Leaving& leaving) {
-    return moves(leaving) && is_placed_now[leaving.placement] != 0;
+    return leaving.moves() && is_placed_now[leaving.placement] != 0;
   });
   for (Leaving& leaving : leaving_)
-    if (moves(leaving)) leaving.placement = new_places[leaving.placement];
+    if (leaving.moves()) leaving.placement = new_places[leaving.placement];
 }
 
 /// Takes back the points that were set last.

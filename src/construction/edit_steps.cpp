@@ -103,7 +103,7 @@ void Editing::take_out_only_vertex() {
     if (placement.vertex != invalid_index) known.push_back(placement.vertex);
   std::sort(known.begin(), known.end());
   for (Index v = 1; v < record().sites.num_ids; ++v)
-    if (!!state_.sites.has_rows(v) && !std::binary_search(known.begin(), known.end(), v)) freed_.push_back(v);
+    if (state_.sites.has_rows(v) && !std::binary_search(known.begin(), known.end(), v)) freed_.push_back(v);
   state_.affine_hull = kernel::AffineHull(state_.dimension());
   state_.cell_of_vertex.assign(state_.cell_of_vertex.size(), invalid_cell);
   state_.num_vertices = 0;

@@ -19,7 +19,7 @@ Editing::Editing(Construction& construction, const RowEdits& edits, const EditHi
 /// One more step; a move is two, and may be none.
 void Editing::tick() { progress_(std::min(++done_, total_)); }
 
-/// Part of the vertices have been placed by a rebuild: a part of what was left to do before.
+/// A rebuild has placed `placed` of `of` vertices: that share of what was left when it began is done.
 void Editing::tick_batch(std::size_t placed, std::size_t of) {
   const std::size_t begun = std::min(done_, total_);
   progress_(begun + (total_ - begun) * placed / of);
@@ -27,7 +27,7 @@ void Editing::tick_batch(std::size_t placed, std::size_t of) {
 
 void Editing::run() {
   plan();
-  move_all_in_place();
+  if (!move_all_in_place()) return rebuild();
   move_some_in_place();
   if (is_worth_rebuilding() || !take_all_out())
     rebuild();

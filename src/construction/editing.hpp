@@ -6,8 +6,8 @@
 // as a new one. Vertices that move little stay where they are in the cells (edit_moves.cpp). Then either all
 // other vertices that are removed or move are taken out one by one, and new ones and those that move are
 // inserted (edit_steps.cpp), or everything is rebuilt (rebuild.cpp), whichever costs less. Hidden points that
-// may come back are inserted before those. How many they are shows while vertices are taken out, so a rebuild
-// may begin then, too.
+// may come back are inserted before those. Their number is known only as vertices are taken out, so an edit
+// may still turn to a rebuild then.
 #pragma once
 
 #include "base/progress_meter.hpp"
@@ -15,8 +15,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -46,6 +44,7 @@ class Editing {
   struct Leaving {
     Index vertex;
     Index placement;  ///< where it goes, or none
+    bool moves() const { return placement != none; }
   };
   static constexpr Index none = invalid_index;
 
@@ -63,7 +62,7 @@ class Editing {
   bool has_freed_many(std::size_t num_taken_out) const;
   void begin_batch();
   bool are_steps_long() const;
-  void move_all_in_place();
+  bool move_all_in_place();
   void move_some_in_place();
   bool can_stay(const Placement& placement) const;
   std::vector<Index> staying_hidden() const;

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // An edit that changes much rebuilds all cells: the points that are left are inserted in bulk into nothing.
 // Vertices keep their ids, and the engine of before is kept until the edit is done.
-#include "base/parallel.hpp"
 #include "construction/bulk_insertion.hpp"
 #include "construction/editing.hpp"
 #include "order/insertion_order.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -102,8 +100,8 @@ void Editing::rebuild() {
   construction_.note_all_visibility(cells_before);
 }
 
-/// Of equal points, one that is neither new nor moved keeps its id, and else the oldest. `new_ids`: the
-/// vertices by number; becomes those that keep their ids.
+/// Of equal points, one that is neither new nor moved keeps its id, or else the oldest. `new_ids`: the vertex
+/// of each number; afterwards the one that keeps its id.
 void Editing::merge_equal(std::vector<std::pair<Index, Index>>& equal, std::vector<Index>& new_ids) {
   if (equal.empty()) return;
   std::vector<Index> changed(record().sites.moved);

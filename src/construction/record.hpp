@@ -23,7 +23,7 @@ struct Record {
   Index num_vertices = 0, only_vertex = 0;
   bool ids_told_of_timing = false;
   std::vector<std::pair<Index, bool>> were_visible;  ///< vertices that got their first cells or lost all
-  bool engine_has_log = false;                       ///< that of the beginning
+  bool engine_has_log = false;                       ///< the engine of the beginning has a log of its cells
   bool has_other_engine = false;                     ///< the engine is not the one of the beginning
   std::unique_ptr<TriangulationEngine> engine;       ///< that one, if there was one
 };

@@ -54,8 +54,10 @@ Index State::place(Index v, Index start) {
     engine->set_frame(frame_with(sites.point(v), sites.point(v), 1.0));
     landmarks.reset();
   }
-  if (cell_of_vertex.size() <= v) cell_of_vertex.resize(std::size_t{v} + 1, invalid_cell);
+  if (cell_of_vertex.capacity() <= v) cell_of_vertex.reserve(2 * std::size_t{v} + 2);
   const engine::Change change = engine->insert(v, start);
+  if (change.outcome != engine::Outcome::duplicate && cell_of_vertex.size() <= v)
+    cell_of_vertex.resize(std::size_t{v} + 1, invalid_cell);
   if (change.is_done()) {
     note_visibility(v);
     for (const Index swallowed : change.swallowed) note_visibility(swallowed);
@@ -190,8 +192,7 @@ geometry::Frame State::frame_with(const double* low, const double* high, double 
   if (engine) {
     cover(engine->frame().low().data());
     cover(engine->frame().high().data());
-  }
-  if (!engine)
+  } else
     for (Index v = 1; v <= sites.points().last_vertex(); ++v) cover(sites.point(v));
   constexpr double largest = std::numeric_limits<double>::max() / 4;
   for (std::size_t j = 0; j < row_size(); ++j) {

@@ -59,7 +59,8 @@ struct State {
 
   /// Makes vertex v, which has a point, part of the triangulation; outside the affine hull it raises the
   /// dimension. Walks from a cell, or from the last insertion. Keeps cell_of_vertex up to date. Returns the
-  /// vertex at the point, or invalid_index if v is hidden. If it throws, nothing has changed.
+  /// vertex at the point, or invalid_index if v is hidden. If it throws, nothing has changed, or a
+  /// transaction is going on and has to be rolled back.
   Index place(Index v, Index start);
   /// The same if all points are in one place: the heaviest is the vertex, equal ones are duplicates, lighter
   /// ones hidden.

@@ -18,7 +18,8 @@ enum class Outcome : std::uint8_t {
   costly,     ///< not removed, or not moved in place: another way costs less
 };
 
-/// Nothing has changed unless the outcome is `done`. The spans hold until the next operation.
+/// Nothing has changed unless the outcome is `done`, but where all vertices may have moved: then the cells
+/// are to be put back, or given up. The spans hold until the next operation.
 struct Change {
   Outcome outcome = Outcome::done;
   Index vertex = invalid_index;           ///< of an insertion: the vertex that is at the point now

@@ -21,7 +21,8 @@ namespace delone::sites {
 
 /// What a set of sites was, as far as it has changed since.
 struct Journal {
-  /// A row that went from one vertex to another, either of them perhaps invalid_vertex; and their first rows.
+  /// A row that went from one vertex to another (invalid_vertex: none), and the first rows that both had
+  /// before.
   struct MovedRow {
     std::size_t row;
     VertexId before, after;
@@ -62,8 +63,8 @@ class SiteSet {
   std::size_t add_rows(std::size_t count);
   /// Takes back the last rows, which are at no vertex.
   void drop_rows(std::size_t num_left) { vertex_of_row_.resize(num_left); }
-  /// Puts a row at a vertex. Strong guarantee; throws nothing while rows of vertices are not known and there
-  /// is room.
+  /// Puts a row at a vertex. Strong guarantee; throws nothing if there is room, the row is not noted, and
+  /// nobody has asked whether vertices have several rows.
   void assign(std::size_t row, Index v);
   /// Puts the rows in `rows`, which have no vertices yet, at vertices `first`, first + 1, …, which have no
   /// rows, in up to `threads` threads. Forgets which vertices have several.
@@ -78,7 +79,7 @@ class SiteSet {
   void forget_shared_rows() { shared_rows_.reset(); }
 
   /// Gives rows and vertices numbers without gaps, in their present order; `ids` receives what they become.
-  /// renumber(new_ids) is called when points have moved, and may throw; then nothing has changed.
+  /// renumber(new_ids) is called after points have moved to their new ids. If it throws, all is put back.
   template <class Renumber>
   void compact(CompactedIds& ids, Renumber&& renumber);
   void shrink_to_fit();

@@ -339,7 +339,8 @@ def test_what_comes_of_rows_that_were_removed(kind, tmp_path):
     assert (t.cell_of_point[~history.there] == -1).all() and (t.vertex_ids[~history.there] == -1).all()
     indptr, _ = t.vertex_neighbors
     assert (np.diff(indptr)[~history.there] == 0).all()
-    diagram, of_fresh = (delone.PowerDiagram if kind is delone.Regular else delone.Voronoi)(t), history.fresh()
+    diagrams = {delone.Regular: delone.PowerDiagram, delone.FurthestSite: delone.FurthestVoronoi}
+    diagram, of_fresh = diagrams.get(kind, delone.Voronoi)(t), history.fresh()
     of_fresh = type(diagram)(of_fresh)
     old = np.flatnonzero(history.there)
     assert (diagram.point_region[~history.there] == -1).all() and len(diagram.point_region) == t.num_rows

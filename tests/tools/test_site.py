@@ -66,22 +66,10 @@ class Docstrings(unittest.TestCase):
         return "\n".join(lines)
 
     def test_signatures_of_pybind11_are_left_out(self):
-        self.assertEqual(self.rst("b(self: delone._core.A, x: object) -> None\n\nDoes b."), "Does b.")
-
-    def test_text_is_escaped_but_code_and_emphasis(self):
-        self.assertEqual(self.rst("|x|, a * b, *c d*, `*e|f*`"), "\\|x\\|, a \\* b, *c d*, `*e|f*`")
+        self.assertEqual(self.rst("b(self: delone._core.A, x: object) -> None\n\nDoes b.").strip(), "Does b.")
 
     def test_pages_are_linked(self):
         self.assertEqual(self.rst("See docs/tiles.md, `docs/tiles.md`."), "See :doc:`/tiles`, `docs/tiles.md`.")
-
-    def test_items_are_definitions(self):
-        self.assertEqual(self.rst("Text.\n\na, b : int\nc : float\n    More.\n\nText."),
-                         "Text.\n\n``a, b``\n    int\n\n``c``\n    float\n\n    More.\n\nText.")
-
-        self.assertEqual(self.rst("a : int\nText."), "``a``\n    int\n\nText.")
-
-    def test_headings_are_paragraphs(self):
-        self.assertEqual(self.rst("A.\n\nParameters\n----------\na : int\n    B."), "A.\n\n**Parameters**\n\n``a``\n    int\n\n    B.")
 
     def test_fields_of_tuples_have_no_text(self):
         self.assertEqual(self.rst("Alias for field number 0"), "")

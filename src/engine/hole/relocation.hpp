@@ -217,6 +217,7 @@ class Relocation {
       if (!may_reach_hull &&
           std::any_of(hole_.begin(), hole_.end(), [&](Index cell) { return geometry_.is_infinite(cell); }))
         return false;
+      around_.reserve(around_.size() + hole_.size());  // relocate() must not fail when cells have changed
       if (refill(sphere_, hole_, filler_)) break;
       if (round == most_rounds) return false;
       const std::size_t before = hole_.size();

@@ -138,6 +138,29 @@ TEST(Construction, ABadListKeepsWhatCanBeUndone) {
   EXPECT_EQ(t.hash(), hash);
 }
 
+TEST(Construction, ADuplicateLeavesNothingToLaterChanges) {
+  const std::vector<double> line{0, 0, 1, 0, 2, 0}, middle{1, 0}, above{2, 1}, more{3, 3, 4, 5};
+  Delaunay<2> t(line);
+  EXPECT_FALSE(t.insert(middle).inserted);
+  EXPECT_EQ(t.complex().num_vertex_slots(), 4u);
+  auto raised = t.clone();
+  raised.move(2, above);
+  EXPECT_EQ(raised.affine_dimension(), 2);
+  EXPECT_EQ(raised.num_vertices(), 3u);
+  t.record_undo();
+  const CanonicalHash hash = t.hash();
+  t.insert_range(more);
+  t.undo();
+  EXPECT_EQ(t.hash(), hash);
+  EXPECT_EQ(t.num_vertices(), 3u);
+  t.record_undo(false);
+  EXPECT_FALSE(t.insert(middle).inserted);
+  t.record_undo();
+  t.insert_range(line);  // duplicates alone
+  t.undo();
+  EXPECT_EQ(t.hash(), hash);
+}
+
 TEST(Construction, RaisesTheDimensionOnRecord) {
   Delaunay<3> t(std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0});
   t.record_changes();
