@@ -83,7 +83,7 @@ int main(int argc, char** argv) {
     window.record_changes();
     std::vector<double> volumes;  // by id of a cell
     std::size_t oldest = 0, num_close = 0, num_new_cells = 0, num_compared = 0;
-    double milliseconds = 0, milliseconds_anew = 0;
+    double milliseconds = 0, milliseconds_rebuilt = 0;
     for (std::size_t i = 0; i < events.size(); ++i) {
       // Row i is event i: numbers are not used again, until compact_ids(), which a stream without an end
       // needs now and then. One edit: the event comes, and those go that are too old.
@@ -108,13 +108,13 @@ int main(int argc, char** argv) {
       num_close += nearest < 20 ? 1 : 0;
       milliseconds += milliseconds_since(start);
 
-      // Now and then, the window is triangulated anew.
+      // Now and then, the window is triangulated from nothing, to compare.
       if (i % 10 != 0) continue;
       const auto again = std::chrono::steady_clock::now();
-      const Window anew(std::span<const Point>(events.data() + oldest, i + 1 - oldest));
-      milliseconds_anew += milliseconds_since(again);
+      const Window rebuilt(std::span<const Point>(events.data() + oldest, i + 1 - oldest));
+      milliseconds_rebuilt += milliseconds_since(again);
       ++num_compared;
-      if (anew.hash() != window.hash()) {
+      if (rebuilt.hash() != window.hash()) {
         std::cerr << "event " << i << ": not the triangulation of the window\n";
         return 1;
       }
@@ -124,7 +124,7 @@ int main(int argc, char** argv) {
               << std::accumulate(volumes.begin(), volumes.end(), 0.0) / window.num_finite_cells() << " km^4\n"
               << "per event: " << num_new_cells / events.size() << " new cells, "
               << milliseconds / static_cast<double>(events.size())
-              << " ms; anew: " << milliseconds_anew / static_cast<double>(num_compared) << " ms\n"
+              << " ms; a rebuild: " << milliseconds_rebuilt / static_cast<double>(num_compared) << " ms\n"
               << num_compared << " hashes are equal\n";
     return 0;
   } catch (const delone::Error& error) {

@@ -27,7 +27,7 @@ struct Options {
   bool force_runtime_dimension = false;  ///< use the run-time-dimension engine even for k ≤ 8
   /// Called about every 20 ms by the thread that called the library, and by no other, with the fraction done,
   /// 0…1, which never decreases; return false to cancel (Errc::cancelled). ProgressScope does the same for
-  /// calls without options.
+  /// calls without options. The function must not use the object that is being built or changed.
   std::function<bool(double)> progress = {};
   /// The most memory that the process may use, in bytes; 0: no limit. A construction that comes within 64 MB
   /// or an eighth of it throws Errc::out_of_memory and leaves everything unchanged; the message says how far

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Level 5 of check() of a hull: what is derived from a boundary that levels 1–4 have proved is derived anew
+// Level 5 of check() of a hull: what is derived from a boundary that levels 1–4 have proved is derived again
 // and compared.
 #include "base/progress_meter.hpp"
 #include "check/check_hull.hpp"

@@ -2,7 +2,7 @@
 // check() of simplices: what they say that they are decides what is examined. Here too the kinds that are no
 // triangulation of all their points: parts of one, and boundaries.
 //
-// Parts. The triangulation of all points is made anew and examined. It is a function of the set of points, so
+// Parts. The triangulation of all points is rebuilt and examined. It is a function of the set of points, so
 // each cell must be one of its cells; nothing else is left to hold.
 //
 // The boundary of a set of cells is, as a chain with integers as coefficients, the sum of the oriented facets

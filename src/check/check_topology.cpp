@@ -347,7 +347,7 @@ class FaceCounter {
     }
   }
 
-  // Adds the counts to those of another counter, and begins anew.
+  // Adds the counts to those of another counter, and resets them.
   void move_counts_to(FaceCounter& sum) {
     sum.complete_ = sum.complete_ && complete_;
     for (std::size_t j = 0; j < all_.size(); ++j) {

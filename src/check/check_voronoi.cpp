@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// check() of a diagram: the arrays against the diagram of their points, made anew from a
+// check() of a diagram: the arrays against the diagram of their points, rebuilt from a
 // triangulation that check() has examined.
 //
 // A Voronoi vertex is known by the regions it is in: the sites nearest to it are the corners of one Delaunay
@@ -113,7 +113,7 @@ class DiagramChecker {
   const VoronoiData& data_;
   const std::size_t d_;
   std::variant<std::monostate, Voronoi<>, PowerDiagram<>, FurthestVoronoi<>> any_;
-  const Diagram* diagram_ = nullptr;    // the diagram made anew
+  const Diagram* diagram_ = nullptr;    // the rebuilt diagram
   std::vector<SignedIndex> vertex_of_;  // of the diagram, by vertex of the file
   std::vector<Sites> sites_of_;         // by vertex of the diagram
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Triangulations of the points of data, made anew and examined, for checks by comparison.
+// Triangulations of the points of data, rebuilt and examined, for checks by comparison.
 #pragma once
 
 #include <delone/check.hpp>

@@ -15,7 +15,7 @@ class CompactTriangulation : public TriangulationQueries {
   virtual std::unique_ptr<CompactTriangulation> copy(const VertexPoints& points) const = 0;
 };
 
-/// The cells of `complex`, numbered anew without gaps; the rest is taken from `engine`, which may go.
+/// The cells of `complex`, renumbered without gaps; the rest is copied from `engine`.
 std::unique_ptr<CompactTriangulation> make_compact_triangulation(const std::vector<int>& axes,
                                                                  const VertexPoints& points,
                                                                  const TriangulationEngine& engine,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What build.hpp works on: the cells of a triangulated sphere with the geometry that decides about them, and
-// what it takes to copy them or to compute their functionals anew.
+// what it takes to copy them or to recompute their functionals.
 #pragma once
 
 #include "cells/cell_memory.hpp"
@@ -117,7 +117,7 @@ class Sphere {
     memory_.reserve(cells_.num_slots());
     memory_.prepare(cells_.num_slots());
   }
-  /// Computes the functionals of all cells anew.
+  /// Recomputes the functionals of all cells.
   void create_functionals() { engine::create_functionals(cells_, geometry_); }
 
   /// What insertions by several workers change.

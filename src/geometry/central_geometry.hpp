@@ -80,7 +80,7 @@ class CentralGeometry {
 
   int dimension() const { return static_cast<int>(size()) - 1; }
 
-  /// Adopts the view's box, and computes the images of all sites. All cells must be created anew after it.
+  /// Adopts the view's box, and computes the images of all sites. All cells must be created again after it.
   /// Throws std::bad_alloc, and then changes nothing.
   void update_box() {
     // Images of dual points, which are off by a few roundings more, are at most 1/2.

@@ -71,7 +71,7 @@ class DelaunayGeometry : public PointPredicates<K> {
   using PointPredicates<K>::point;
   const Frame& frame() const { return frame_; }
   const kernel::Grid& grid() const { return grid_; }
-  /// All cells must be created anew after it. Sets the rows of the first `vertices` vertices. Throws
+  /// All cells must be created again after it. Sets the rows of the first `vertices` vertices. Throws
   /// std::bad_alloc, and then changes nothing.
   void set_frame(Frame frame, Index vertices) {
     Lattice lattice(frame, axes_);

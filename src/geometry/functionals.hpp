@@ -45,7 +45,7 @@ class Functionals {
  public:
   explicit Functionals(CellMemory<K>& memory) : memory_(memory) {}
 
-  /// Computes the constants of a frame. All functionals must be computed anew after it.
+  /// Computes the constants of a frame. All functionals must be recomputed after it.
   void set_frame(const Frame& frame, const std::vector<int>& axes) requires(Lifted);
   /// The same for rows that are not lifted, whose entries are in [−1, 1] and off by at most one rounding.
   void set_frame() requires(!Lifted);

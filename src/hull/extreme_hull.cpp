@@ -200,7 +200,7 @@ void insert(ExtremeHull& hull, std::span<const double> coordinates, std::span<co
   hull.state->insert_range(points, options);
 }
 
-/// Begins anew with the extreme points if another point is a vertex of a cell. Which points are extreme does
+/// Begins again with the extreme points if another point is a vertex of a cell. Which points are extreme does
 /// not depend on the others, so this happens at most once. `before`: a state of the first rows alone, or
 /// none; if they are extreme it goes on from there.
 void drop_others(ExtremeHull& hull, std::unique_ptr<HullState> before, std::span<const double> coordinates,

@@ -132,7 +132,7 @@ void HullState::make_boundary() {
   boundary_ = std::make_unique<Boundary>(sites_, basis_, view_from_inside(sites_, basis_));
 }
 
-/// Starts anew with the simplex of the basis.
+/// Starts again with the simplex of the basis.
 void HullState::restart(Rollback& rollback) {
   sites_.axes = affine_hull_.axes();
   note_effort(earlier_);
@@ -235,7 +235,7 @@ void HullState::insert_range(std::span<const double> coordinates, const Options&
     boundary_->include_sites(first_site);
   }
   if (boundary_) {
-    // Sites of earlier calls are inserted again into a boundary that begins anew.
+    // Sites of earlier calls are inserted again into a new boundary.
     std::vector<char> is_done(sites_.size(), 0);
     if (raised)
       for (const Index site : basis_) is_done[site] = 1;

@@ -353,7 +353,7 @@ void sort_in_dimension(const Position& start, PointsView points, std::span<Index
     sort_by_cubes<D>(start, points, rows, threads);
 }
 
-/// Any dimension: the coordinate in use is gathered anew for each split.
+/// Any dimension: the coordinate in use is gathered again for each split.
 void sort_keyed(const Curve& curve, const Position& position, PointsView points, KeyedRow* first,
                 KeyedRow* last) {
   const std::ptrdiff_t size = last - first;

@@ -168,7 +168,7 @@ class Incremental:
         self._incremental = False
 
     def _take_over(self, **results) -> None:
-        """Sets these, and drops what is computed on first use, so that it is computed anew."""
+        """Sets these, and drops what is computed on first use, so that it is recomputed."""
         self._set(**results)
         for name in self._derived:
             if name not in results:

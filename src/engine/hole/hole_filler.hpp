@@ -58,9 +58,9 @@ class HoleFiller {
     });
   }
 
-  /// Replaces the zone, which is the hole, by new cells. Nothing is returned, and nothing has changed, where
-  /// vertices have moved and cells cannot be proved to be right, or around a vertex that goes if to build all
-  /// cells anew costs less. `on_size` is called with their number before anything changes, and may throw.
+  /// Replaces the zone, which is the hole, by new cells. Nothing is returned, and nothing has changed, if
+  /// vertices have moved and the cells cannot be proved, or if a vertex is removed and a rebuild costs less.
+  /// `on_size` is called with the number of new cells before anything changes, and may throw.
   /// Strong guarantee.
   template <class OnSize>
   std::optional<Filling> fill(ConflictZone& zone, StageCounts& counts, OnSize&& on_size) {
@@ -129,11 +129,11 @@ class HoleFiller {
     return true;
   }
 
-  /// To build a cell anew takes as long as to look at so many vertices; to compare one by predicates takes as
-  /// long as this, and more if it has to be exact.
+  /// What other work costs, in looks at a vertex: a cell of a rebuild, a comparison by predicates, and an
+  /// exact one.
   static constexpr std::size_t looks_per_cell = 500, per_contender = 100, per_exact_test = 1000;
 
-  /// Returns false if what has been done would have been enough to build all cells anew.
+  /// Returns false if a rebuild would have cost less than the work so far.
   bool spend(std::size_t looks) {
     if (looks > looks_left_) return false;
     looks_left_ -= looks;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells whose vertices have moved: what is cached for them is computed anew, many at a time, and those that
+// Cells whose vertices have moved: what is cached for them is recomputed, many at a time, and those that
 // are no longer Delaunay are found. Each thread has an object of its own.
 #pragma once
 
