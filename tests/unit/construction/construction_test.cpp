@@ -3,6 +3,8 @@
 // all.
 #include "construction/construction.hpp"
 
+#include "base/compiled_dimension.hpp"
+
 #include <delone/delaunay.hpp>
 #include <delone/error.hpp>
 #include <delone/point_sets.hpp>
@@ -23,6 +25,7 @@ std::vector<double> uniform(int d, std::size_t n, std::uint64_t seed) {
 
 // Few points in 7 dimensions are wrapped: each cell is created once.
 TEST(Construction, RebuildsAsANewObjectIsBuilt) {
+  if (internal::largest_compiled_dimension < 7) GTEST_SKIP() << "7 dimensions are not compiled";
   constexpr std::size_t n = 220;
   Delaunay<7> t(uniform(7, n, 1));
   ASSERT_EQ(t.statistics().created_cells, t.num_all_cells());
@@ -36,6 +39,7 @@ TEST(Construction, RebuildsAsANewObjectIsBuilt) {
 }
 
 TEST(Construction, WrapsTheVerticesThatAreLeft) {
+  if (internal::largest_compiled_dimension < 7) GTEST_SKIP() << "7 dimensions are not compiled";
   constexpr std::size_t n = 400;
   const std::vector<double> points = uniform(7, n, 3);
   Delaunay<7> t(points);
