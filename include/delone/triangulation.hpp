@@ -148,8 +148,8 @@ class DELONE_EXPORT Triangulation {
   void remove(std::span<const std::size_t> rows);
 
   /// From now on changes() tells what each insertion, edit and undo() did. A single insertion or edit then
-  /// takes up to twice as long; a batch of insertions takes about as long as before, but one thread inserts
-  /// it. If it has more points than the triangulation, several threads rebuild all cells instead.
+  /// takes up to twice as long, a batch of insertions up to one and a half times. One thread inserts a batch;
+  /// if it has more points than the triangulation, several threads rebuild all cells instead.
   void record_changes(bool wanted = true);
   /// What the last edit, insertion or undo() did; a call without any row or point does not count. Empty after
   /// compact_ids(), compact() and sort_cells(). Throws Errc::invalid_argument unless record_changes() is on.

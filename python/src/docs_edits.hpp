@@ -167,8 +167,8 @@ Triangulation
 inline constexpr const char* record_changes = R"(
 Let `changes` tell what each insertion, edit and undo does.
 
-A single insertion or edit then takes up to twice as long. `insert_range` takes about as long as before, but one thread inserts
-the points. If they are more than those of the triangulation, several threads rebuild all cells instead.
+A single insertion or edit then takes up to twice as long. `insert_range` takes up to one and a half times as long, and one
+thread inserts the points. If they are more than those of the triangulation, several threads rebuild all cells instead.
 
 Parameters
 ----------
