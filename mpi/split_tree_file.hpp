@@ -9,7 +9,7 @@
 
 namespace delone::mpi {
 
-/// FOLDER/work/split.json, whole or not at all.
+/// Writes FOLDER/work/split.json atomically.
 void write_split_tree(const std::string& work, const tiles::SplitTree& tree);
 /// Nothing if there is no such file. Throws bad_format unless it is a tree of so many tiles.
 std::optional<tiles::SplitTree> read_split_tree(const std::string& work, int dimension,

@@ -11,7 +11,7 @@ namespace delone::internal {
 /// The number of points per call.
 inline constexpr std::size_t meeting_block = 32;
 
-/// The range of dimensions of points in lanes.
+/// Points of this many dimensions are found one per SIMD lane; others one by one.
 inline constexpr std::size_t least_meeting_lanes = 2, most_meeting_lanes = 5;
 
 /// Of meeting_block systems of n homogeneous rows of n + 1 finite numbers. `rows`: entry j of row i of all

@@ -111,7 +111,7 @@ class SiteSet {
   std::vector<Index> row_of_vertex_{0};  // vertex 0 is a dummy
   std::vector<VertexId> vertex_of_row_;
   std::size_t num_present_rows_ = 0;
-  std::optional<SharedRows> shared_rows_;  // from when it is first asked for, until rows are added in bulk
+  std::optional<SharedRows> shared_rows_;  // built on first use; a bulk assignment drops it
   Journal* journal_ = nullptr;
 };
 

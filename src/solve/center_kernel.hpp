@@ -12,7 +12,7 @@ namespace delone::internal {
 /// The number of cells per call.
 inline constexpr std::size_t center_block = 32;
 
-/// The range of dimensions of cells in lanes.
+/// Cells of this many dimensions are solved one per SIMD lane; others one by one.
 inline constexpr std::size_t least_center_lanes = 2, most_center_lanes = 5;
 
 /// Of center_block cells of n+1 points in R^n. `corners`: coordinate j of corner i of all cells starts at
