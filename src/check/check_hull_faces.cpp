@@ -3,8 +3,8 @@
 // and compared.
 #include "base/progress_meter.hpp"
 #include "check/check_hull.hpp"
+#include "hull/facet_labels.hpp"
 #include "hull/hull_faces.hpp"
-#include "hull/tolerance/facet_labels.hpp"
 
 #include <cmath>
 #include <map>

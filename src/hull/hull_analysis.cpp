@@ -3,7 +3,7 @@
 
 #include "base/infinity.hpp"
 #include "base/progress_meter.hpp"
-#include "hull/tolerance/facet_labels.hpp"
+#include "hull/facet_labels.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -4,8 +4,8 @@
 #include "base/infinity.hpp"
 #include "base/progress_meter.hpp"
 #include "base/random.hpp"
+#include "hull/growing_flat.hpp"
 #include "hull/outermost_sites.hpp"
-#include "hull/tolerance/growing_flat.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 #include "hull/tolerance/tolerant_hull.hpp"
 
 #include "base/progress_meter.hpp"
+#include "hull/growing_flat.hpp"
 #include "hull/hull_analysis.hpp"
-#include "hull/tolerance/growing_flat.hpp"
 #include "hull/tolerance/vertex_choice.hpp"
 
 #include <algorithm>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull/tolerance/vertex_choice.hpp"
 
+#include "hull/flat_distance.hpp"
+#include "hull/growing_flat.hpp"
 #include "hull/hull_analysis.hpp"
 #include "hull/hull_state.hpp"
 #include "hull/tolerance/cover.hpp"
-#include "hull/tolerance/flat_distance.hpp"
-#include "hull/tolerance/growing_flat.hpp"
 #include "kernel/nearest_in_hull.hpp"
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 
 #include "brute_force.hpp"
 #include "degenerate.hpp"
+#include "hull_support.hpp"
 
 #include <delone/convex_hull.hpp>
 
@@ -16,15 +17,6 @@
 
 namespace delone::internal {
 namespace {
-
-BoundarySites sites_of(const test::PointSet& set) {
-  BoundarySites sites(set.dimension);
-  sites.coordinates = set.points;
-  sites.axes.resize(static_cast<std::size_t>(set.dimension));
-  std::iota(sites.axes.begin(), sites.axes.end(), 0);
-  for (Index site = 0; site < sites.size(); ++site) sites.grid.include(sites.point(site));
-  return sites;
-}
 
 class HullNormalIn : public ::testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Dimensions, HullNormalIn, ::testing::Range(1, 8),
@@ -38,7 +30,7 @@ TEST_P(HullNormalIn, WhatIsCertainIsRight) {
   std::size_t certain = 0, all = 0;
   for (const test::PointSet& set : test::degenerate_sets(d, 24, 1)) {
     SCOPED_TRACE(set.name);
-    const BoundarySites sites = sites_of(set);
+    const BoundarySites sites = sites_of(set.dimension, set.points);
     if (sites.size() < static_cast<std::size_t>(d) + 1) continue;
     HullNormals normals(d);
     std::vector<double> record(normals.stride());
@@ -63,7 +55,7 @@ TEST_P(HullNormalIn, RandomPointsNeedNoExactStage) {
   test::PointSet set{"real numbers", d, {}};
   test::Random random(4);
   for (int i = 0; i < 200 * d; ++i) set.points.push_back(random.real());
-  const BoundarySites sites = sites_of(set);
+  const BoundarySites sites = sites_of(set.dimension, set.points);
   HullNormals normals(d);
   std::vector<double> record(normals.stride());
   for (Index first = 0; first + static_cast<Index>(d) < sites.size(); first += static_cast<Index>(d) + 1) {
@@ -84,7 +76,7 @@ TEST_P(HullNormalIn, VolumesOfSimplicesAreWithinTheirBounds) {
     if (seed % 2 == 1)
       for (std::size_t i = 0; i < set.size(); ++i)
         set.points[i * static_cast<std::size_t>(d)] = 1e6 + 0x1p-20 * static_cast<double>(i);
-    const BoundarySites sites = sites_of(set);
+    const BoundarySites sites = sites_of(set.dimension, set.points);
     std::vector<const double*> points;
     for (Index i = 0; i <= static_cast<Index>(d); ++i) points.push_back(sites.point(i));
     const auto rows = test::scaled_to_integers(set.points, d);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hull/tolerance/flat_distance.hpp"
+#include "hull/flat_distance.hpp"
 
 #include "kernel/fractions.hpp"
 #include "kernel/grid.hpp"

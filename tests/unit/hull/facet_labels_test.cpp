@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hull/tolerance/facet_labels.hpp"
+#include "hull/facet_labels.hpp"
 
 #include "exact_distance.hpp"
 #include "hull/hull_state.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hull/tolerance/facet_labels.hpp"
+#include "hull/facet_labels.hpp"
 
 #include "base/progress_meter.hpp"
+#include "hull/flat_distance.hpp"
 #include "hull/hull_measure.hpp"
-#include "hull/tolerance/flat_distance.hpp"
 
 #include <algorithm>
 #include <cmath>

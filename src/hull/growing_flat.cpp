@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hull/tolerance/growing_flat.hpp"
+#include "hull/growing_flat.hpp"
 
 #include <algorithm>
 #include <cmath>

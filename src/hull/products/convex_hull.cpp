@@ -8,9 +8,9 @@
 #include "base/require_tolerance.hpp"
 #include "complex/canonical_hash.hpp"
 #include "hull/extreme_hull.hpp"
+#include "hull/flat_distance.hpp"
 #include "hull/hull_analysis.hpp"
 #include "hull/hull_state.hpp"
-#include "hull/tolerance/flat_distance.hpp"
 #include "hull/tolerance/necessary_hull.hpp"
 #include "hull/tolerance/tolerant_hull.hpp"
 
