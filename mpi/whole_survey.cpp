@@ -31,7 +31,7 @@ class HashingStream final : public tiles::PointStream {
     const auto width = static_cast<std::size_t>(dimension());
     const auto first = static_cast<std::uint64_t>(share_.first_row(0));
     for (std::size_t i = 0; i < rows.size() / width; ++i) {
-      const std::uint64_t hash = internal::point_tag(&rows[i * width], dimension()).low;
+      const std::uint64_t hash = complex::point_tag(&rows[i * width], dimension()).low;
       sum_ += hash;
       weighted_sum_ += (first + i) * hash;
     }

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Checks which room of the project includes which, that no two include each other, the size of files and rooms, that src/ holds only
-sources, that one page shows the algorithm of the report, and that the library never prints or ends the program. The rules are the
-data below; docs/architecture.md explains them and has them as a table. Prints every violation as FILE:LINE, and exits with
-status 1 if there is one.
+sources and its headers open the namespaces of their rooms, that one page shows the algorithm of the report, and that the library never
+prints or ends the program. The rules are the data below; docs/architecture.md explains them and has them as a table. Prints every
+violation as FILE:LINE, and exits with status 1 if there is one.
 
 Usage: check_layering.py [--self-test | --write-table]      --write-table renews the table of docs/architecture.md
 """
@@ -88,6 +88,9 @@ MOST_LINES_OF_FILE = 500
 # What may lie below src/: sources, templates of sources, and what CMake reads. Generated files have a place of their own, as
 # viewer/dist, or are made in the build.
 SOURCE_FILE = re.compile(r"(^|/)[a-z0-9_-]+\.([ch]pp|cpp\.in|hpp\.in|map\.in)$|(^|/)CMakeLists\.txt$")
+
+# Headers of src/ open the namespace of their room; `delone` itself has the public names.
+PLAIN_NAMESPACE = re.compile(r"^\s*(?:inline\s+)?namespace\s+delone\s*(?:\{|$)")
 
 # The page that shows the algorithm of the report, and the sections that its comments name.
 ALGORITHM = "src/engine/build.hpp"
@@ -176,6 +179,13 @@ def forbidden_in(path, line):
     return None
 
 
+def namespace_violation(path, line):
+    """Why a header of src/ may not have this line (without comments and strings), or None."""
+    if re.search(r"\.hpp(\.in)?$", path) and PLAIN_NAMESPACE.match(line):
+        return "a header of src/ opens the namespace of its room, not that of public names"
+    return None
+
+
 def table_of_rules():
     """The rules in Markdown."""
     lines = ["| room | public headers | other rooms |", "|---|---|---|"]
@@ -203,7 +213,7 @@ def violations():
                     included = include and include.group(1) == '"' and find_included(path, include.group(2), exists)
                     if included and room_of(included) != room_of(path):
                         includes.add((room_of(path), room_of(included)))
-                    found = forbidden_in(path, bare[number - 1])
+                    found = forbidden_in(path, bare[number - 1]) or namespace_violation(path, bare[number - 1])
                     if found:
                         yield path, number, found
     if TABLE.findall(PAGE.read_text(encoding="utf-8")) != [table_of_rules()]:
@@ -325,6 +335,9 @@ def self_test():
     assert all(forbidden_in("src/x.cpp", line) for line in bad_lines), [b for b in bad_lines if not forbidden_in("src/x.cpp", b)]
     assert not any(forbidden_in("src/x.cpp", line) for line in good_lines), [g for g in good_lines if forbidden_in("src/x.cpp", g)]
     assert forbidden_in("src/x.cpp", without_comments('f("abort()"); // exit(1)')) is None
+    assert all(namespace_violation("src/x.hpp", line) for line in ["namespace delone {", "namespace delone", "inline namespace delone {"])
+    assert not any(namespace_violation("src/x.hpp", line) for line in ["namespace delone::hull {", "namespace delone_tests {", "}"])
+    assert namespace_violation("src/x.cpp", "namespace delone {") is None
     print("the layering rules catch what they should")
 
 

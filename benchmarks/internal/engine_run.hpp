@@ -46,7 +46,7 @@ class ObservedGeometry : public delone::geometry::DelaunayGeometry<K> {
   using Query = typename Base::Query;
 
   template <class... Arguments>
-  ObservedGeometry(delone::CellMemory<K>& memory, Observer& observer, Arguments&&... arguments)
+  ObservedGeometry(delone::cells::CellMemory<K>& memory, Observer& observer, Arguments&&... arguments)
       : Base(memory, std::forward<Arguments>(arguments)...), observer_(observer) {}
   ObservedGeometry(const ObservedGeometry& shared, typename Base::ForThread form)
       : Base(shared, form), observer_(shared.observer_) {}
@@ -63,7 +63,7 @@ class ObservedGeometry : public delone::geometry::DelaunayGeometry<K> {
     observer_.reserves();
     Base::reserve_star(v, facets);
   }
-  auto create_star(Index v, const Query& q, std::span<const delone::HorizonFacet> facets) {
+  auto create_star(Index v, const Query& q, std::span<const delone::cells::HorizonFacet> facets) {
     observer_.creates();
     const auto weak = Base::create_star(v, q, facets);
     observer_.created();
@@ -82,7 +82,7 @@ class EngineRun {
       : points_(points),
         observer_(observer),
         vertices_(K, delone::kernel::RowForm::point),
-        build_(K, delone::ids_for(points.size()), observer, all_axes(), K, vertices_.coordinates,
+        build_(K, delone::cells::ids_for(points.size()), observer, all_axes(), K, vertices_.coordinates,
                vertices_.grid, frame_of(points)) {}
 
   /// Inserts all points, in the order that the library would choose.

@@ -31,7 +31,7 @@
 namespace {
 
 using delone::Sign;
-using delone::StageCounts;
+using delone::internal::StageCounts;
 using delone::kernel::Flat;
 using delone::kernel::Grid;
 using delone::kernel::RowForm;

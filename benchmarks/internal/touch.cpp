@@ -33,7 +33,7 @@ class Recorder : public benchmarks::Observer {
     trace.push_back(static_cast<Index>(work.zone.num_cells));
     trace.push_back(static_cast<Index>(work.zone.num_facets));
     trace.insert(trace.end(), work.zone.cells.data(), work.zone.cells.data() + work.zone.num_cells);
-    for (const delone::HorizonFacet& facet : work.star()) {
+    for (const delone::cells::HorizonFacet& facet : work.star()) {
       trace.push_back(facet.survivor);
       trace.push_back(facet.created);
     }
@@ -99,7 +99,8 @@ void touch(benchmark::State& state) {
     return 1e9 * (benchmarks::thread_seconds() - start) / created;
   };
   for (auto _ : state) {
-    delone::GrowableArray<std::uint64_t> words(K >= 5 ? delone::Pages::large : delone::Pages::usual);
+    delone::internal::GrowableArray<std::uint64_t> words(K >= 5 ? delone::internal::Pages::large
+                                                                : delone::internal::Pages::usual);
     words.reserve(num_words);
     fresh = std::min(fresh, measured(words.data()));
     warm = std::min(warm, measured(words.data()));

@@ -21,6 +21,11 @@
 
 namespace delone {
 
+namespace voronoi {
+class DiagramSimplifier;
+class VoronoiBuilder;
+}  // namespace voronoi
+
 namespace detail {
 
 /// What a product refuses to be made from: all types but what it is the dual of and itself.
@@ -213,8 +218,8 @@ class DELONE_EXPORT Diagram {
   ~Diagram() = default;
 
  private:
-  friend class VoronoiBuilder;
-  friend class DiagramSimplifier;
+  friend class voronoi::VoronoiBuilder;
+  friend class voronoi::DiagramSimplifier;
   Diagram(const Diagram&) = default;
   std::size_t ambient() const { return static_cast<std::size_t>(dimension_); }
   static void require([[maybe_unused]] bool is_in_range, [[maybe_unused]] const char* what) {

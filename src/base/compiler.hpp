@@ -23,7 +23,7 @@
 #define DELONE_HAS_INT128 0
 #endif
 
-namespace delone {
+namespace delone::internal {
 
 /// Lets the processor fetch the cache line of an address, to be written soon. No effect on results.
 #if DELONE_GNU_COMPILER
@@ -169,4 +169,4 @@ constexpr T select(Condition condition, T a, T b) {
   return condition ? a : b;
 }
 
-}  // namespace delone
+}  // namespace delone::internal

@@ -12,7 +12,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace delone {
+namespace delone::internal {
 
 /// Entries that were never written are unspecified. Where memory can be mapped, they take up no memory.
 template <class T>
@@ -144,4 +144,4 @@ class GrowableArray {
   PriceOfLargePages price_;
 };
 
-}  // namespace delone
+}  // namespace delone::internal

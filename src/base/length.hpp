@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace delone {
+namespace delone::internal {
 
 /// The length of the vector of R^d with the given components, without overflow or underflow on the way;
 /// infinity if one is not finite. Relative error: at most (d/2 + 2)·u, if the length is not below the normal
@@ -32,4 +32,4 @@ double length_of(std::size_t d, Component component) {
   return std::ldexp(std::sqrt(square), exponent);
 }
 
-}  // namespace delone
+}  // namespace delone::internal

@@ -70,7 +70,7 @@ std::size_t first_level_cache();
 
 }  // namespace delone::platform
 
-namespace delone {
+namespace delone::internal {
 
 /// The size of pages: large ones as long as they are cheap
 /// (docs/decisions/0009-large-pages-while-they-are-cheap.md).
@@ -99,4 +99,4 @@ class PriceOfLargePages {
   double debt_ = 0;
 };
 
-}  // namespace delone
+}  // namespace delone::internal

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace delone {
+namespace delone::internal {
 
 struct StageCounts {
   std::uint64_t filter = 0;
@@ -21,4 +21,4 @@ struct StageCounts {
   }
 };
 
-}  // namespace delone
+}  // namespace delone::internal

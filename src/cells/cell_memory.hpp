@@ -19,7 +19,10 @@
 #include <type_traits>
 #include <utility>
 
-namespace delone {
+namespace delone::cells {
+
+using internal::GrowableArray;
+using internal::Pages;
 
 /// The state of a cell during the search of a conflict zone.
 enum class Mark : std::uint8_t { unseen = 0, in_conflict = 1, not_in_conflict = 2 };
@@ -267,4 +270,4 @@ inline std::uint64_t write(Mark mark) {
 }
 }  // namespace mark_bits
 
-}  // namespace delone
+}  // namespace delone::cells

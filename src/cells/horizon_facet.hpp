@@ -4,7 +4,7 @@
 
 #include <delone/types.hpp>
 
-namespace delone {
+namespace delone::cells {
 
 struct HorizonFacet {
   double dead_value;      ///< h̃(q) of the cell in conflict
@@ -18,4 +18,4 @@ struct HorizonFacet {
   int slot;                 ///< of the facet in the dead cell, and of q in the new one
 };
 
-}  // namespace delone
+}  // namespace delone::cells

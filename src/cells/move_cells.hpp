@@ -21,7 +21,7 @@
 #include <span>
 #include <vector>
 
-namespace delone {
+namespace delone::cells {
 
 /// REQUIRES links that are not apart.
 template <int K>
@@ -83,10 +83,10 @@ class CellMover {
     const CellRecords<K> records = memory_.records();
     const char* const first = reinterpret_cast<const char*>(records.functional(slot));
     for (std::size_t byte = 0; byte < (width() - 1) * sizeof(double); byte += 64)
-      delone::prefetch_for_writing(first + byte);
-    delone::prefetch_for_writing(first + (width() - 1) * sizeof(double) - 1);
-    if (memory_.layout().certificates_are_apart()) delone::prefetch_for_writing(records.certificate(slot));
-    if (slot < sources_.size()) delone::prefetch_for_writing(sources_.data() + slot);
+      internal::prefetch_for_writing(first + byte);
+    internal::prefetch_for_writing(first + (width() - 1) * sizeof(double) - 1);
+    if (memory_.layout().certificates_are_apart()) internal::prefetch_for_writing(records.certificate(slot));
+    if (slot < sources_.size()) internal::prefetch_for_writing(sources_.data() + slot);
   }
 
   void follow_chains(std::size_t first, std::size_t last) {
@@ -140,4 +140,4 @@ class CellMover {
   GrowableArray<double> words_;  // the cells that were in the starts
 };
 
-}  // namespace delone
+}  // namespace delone::cells

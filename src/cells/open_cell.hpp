@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace delone {
+namespace delone::cells {
 
 struct OpenCell {
   const Index* vertices;
@@ -33,4 +33,4 @@ class ComparisonLimit {
   std::atomic<std::size_t> count_ = 0;
 };
 
-}  // namespace delone
+}  // namespace delone::cells

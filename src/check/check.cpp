@@ -121,9 +121,10 @@ std::vector<SignedIndex> derived_vertices(const Examined& examined, const std::v
   std::vector<std::size_t> table(capacity, n);
   std::vector<SignedIndex> vertex_of_point(n, -1);
   const auto place_of = [&](std::size_t row) {
-    std::size_t place =
-        point_tag(examined.point(static_cast<SignedIndex>(row)), static_cast<int>(examined.row_size())).low &
-        (capacity - 1);
+    std::size_t place = complex::point_tag(examined.point(static_cast<SignedIndex>(row)),
+                                           static_cast<int>(examined.row_size()))
+                            .low &
+                        (capacity - 1);
     while (table[place] != n && !equal_points(examined, table[place], row))
       place = (place + 1) & (capacity - 1);
     return place;

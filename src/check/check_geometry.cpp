@@ -87,7 +87,7 @@ class Geometry {
     add(row);
     std::vector<const double*> corners;
     for (std::size_t i = 0; i < examined_.corners; ++i) corners.push_back(rows.data() + i * width);
-    return HeightOfPlane(corners, rows.data() + examined_.corners * width, static_cast<int>(width))
+    return hull::HeightOfPlane(corners, rows.data() + examined_.corners * width, static_cast<int>(width))
         .exceeds(examined_.data.tolerance);
   }
 

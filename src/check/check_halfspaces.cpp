@@ -129,7 +129,7 @@ class IntersectionChecker {
 
   /// The row as integers, on the axes and the offset; or on all coordinates.
   IntegerRow row(std::size_t r) const {
-    const IntegerRow all = internal::integer_row(&data_.halfspaces[r * (d_ + 1)], d_ + 1);
+    const IntegerRow all = halfspaces::integer_row(&data_.halfspaces[r * (d_ + 1)], d_ + 1);
     IntegerRow result;
     for (const int axis : data_.axes) result.push_back(all[static_cast<std::size_t>(axis)]);
     result.push_back(all[d_]);
@@ -152,7 +152,7 @@ class IntersectionChecker {
     std::vector<IntegerRow> transposed(d_);
     IntegerRow offsets;
     for (const std::size_t r : rows) {
-      const IntegerRow all = internal::integer_row(&data_.halfspaces[r * (d_ + 1)], d_ + 1);
+      const IntegerRow all = halfspaces::integer_row(&data_.halfspaces[r * (d_ + 1)], d_ + 1);
       for (std::size_t j = 0; j < d_; ++j) transposed[j].push_back(all[j]);
       offsets.push_back(all[d_]);
     }
@@ -193,7 +193,7 @@ class IntersectionChecker {
     if (k_ == d_) return;
     std::vector<IntegerRow> normals, on_axes;
     for (std::size_t r = 0; r < data_.num_halfspaces(); ++r) {
-      normals.push_back(internal::integer_row(&data_.halfspaces[r * (d_ + 1)], d_));
+      normals.push_back(halfspaces::integer_row(&data_.halfspaces[r * (d_ + 1)], d_));
       on_axes.push_back(row(r));
       on_axes.back().pop_back();
     }
@@ -210,9 +210,9 @@ class IntersectionChecker {
     if (!data_.interior_point_is_exact) return;
     std::vector<double> homogeneous = data_.interior_point;
     homogeneous.push_back(1);
-    const IntegerRow p = internal::integer_row(homogeneous.data(), d_ + 1);
+    const IntegerRow p = halfspaces::integer_row(homogeneous.data(), d_ + 1);
     for (std::size_t r = 0; r < data_.num_halfspaces(); ++r)
-      if (has_normal(r) && value(internal::integer_row(&data_.halfspaces[r * (d_ + 1)], d_ + 1), p) >= 0)
+      if (has_normal(r) && value(halfspaces::integer_row(&data_.halfspaces[r * (d_ + 1)], d_ + 1), p) >= 0)
         throw Violation{.message = "the interior point is not strictly inside halfspace " + std::to_string(r),
                         .halfspaces = {r}};
   }
@@ -260,7 +260,7 @@ class IntersectionChecker {
     if (negate)
       for (kernel::Integer& x : *z) x = -x;
     const std::vector<double> unit =
-        is_vertex ? std::vector<double>{} : internal::unit_vector(*z, data_.axes, d_);
+        is_vertex ? std::vector<double>{} : halfspaces::unit_vector(*z, data_.axes, d_);
     for (std::size_t j = 0; j < k_; ++j) {
       const auto axis = static_cast<std::size_t>(data_.axes[j]);
       const bool right = is_vertex ? data_.vertex(i)[axis] == kernel::nearest_double((*z)[j], z->back(), 0)
@@ -361,8 +361,8 @@ class IntersectionChecker {
         continue;
       }
       if (first != r) {
-        const auto a = internal::integer_row(&data_.halfspaces[r * (d_ + 1)], d_ + 1),
-                   b = internal::integer_row(&data_.halfspaces[first * (d_ + 1)], d_ + 1);
+        const auto a = halfspaces::integer_row(&data_.halfspaces[r * (d_ + 1)], d_ + 1),
+                   b = halfspaces::integer_row(&data_.halfspaces[first * (d_ + 1)], d_ + 1);
         kernel::Integer dot = 0;
         for (std::size_t j = 0; j <= d_; ++j) dot += a[j] * b[j];
         if (data_.kinds[r] != HalfspaceKind::duplicate || first > r || dot <= 0 ||

@@ -19,6 +19,9 @@
 #include <numeric>
 
 namespace delone {
+
+using compiled::SimplicialHull;
+
 namespace internal {
 namespace {
 

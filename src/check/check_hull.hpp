@@ -20,6 +20,8 @@
 
 namespace delone::internal {
 
+using compiled::SimplicialHull;
+
 /// The hull as the engine's front end sees it: rows are sites.
 class ExaminedHull {
  public:
@@ -64,7 +66,7 @@ class ExaminedHull {
     }
     std::vector<const double*> points;
     for (const Index row : corners) points.push_back(sites.point(row));
-    Cover distances({}, sites.ambient, data_.max_distance, {}, {});
+    hull::Cover distances({}, sites.ambient, data_.max_distance, {}, {});
     for (Index row = 0; row < sites.size(); ++row) {
       if (hull.dimension == sites.ambient) {
         std::size_t c = 0;
@@ -114,7 +116,7 @@ class ExaminedHull {
     if (std::find(cell.begin(), cell.end(), row) != cell.end()) return Sign::zero;
     const double* q = sites.point(row);
     const Sign sign = normals->side(sites, records.data() + c * normals->stride(), sites.point(cell[0]), q);
-    return sign != Sign::zero ? sign : side_of_cell(sites, hull, c, q, sites.grid, scratch);
+    return sign != Sign::zero ? sign : compiled::side_of_cell(sites, hull, c, q, sites.grid, scratch);
   }
   /// The sign of det(v_i − base) for the cell with vertex i replaced.
   Sign replaced(std::size_t c, std::size_t i, Index row, Index base) {
@@ -129,10 +131,10 @@ class ExaminedHull {
     return braces(std::span<const SignedIndex>(data_.cells).subspan(c * corners, corners));
   }
 
-  BoundarySites sites;
+  sites::BoundarySites sites;
   SimplicialHull hull;
   std::vector<Index> basis;
-  std::optional<HullNormals> normals;
+  std::optional<hull::HullNormals> normals;
   std::vector<double> records;
   std::vector<const double*> scratch;
 

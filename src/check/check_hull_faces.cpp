@@ -12,9 +12,12 @@
 #include <utility>
 
 namespace delone::internal {
+
+using sites::BoundarySites;
+
 namespace {
 
-PolytopeFaces faces_of(ExaminedHull& examined, const HullData& data) {
+hull::PolytopeFaces faces_of(ExaminedHull& examined, const HullData& data) {
   const SimplicialHull& hull = examined.hull;
   std::vector<std::pair<Index, Index>> pairs;
   for (std::size_t c = 0; hull.dimension > 1 && c < hull.num_cells(); ++c)
@@ -22,9 +25,9 @@ PolytopeFaces faces_of(ExaminedHull& examined, const HullData& data) {
       if (const Index across = hull.neighbors_of(c)[i];
           across > c && examined.side(c, apex_across(hull, c, i)) == Sign::zero)
         pairs.emplace_back(static_cast<Index>(c), across);
-  PolytopeFaces exact = find_faces(hull, examined.sites.size(), pairs);
+  hull::PolytopeFaces exact = hull::find_faces(hull, examined.sites.size(), pairs);
   if (!examined.is_tolerant()) return exact;
-  PolytopeFaces labels = label_facets(examined.sites, hull, data.tolerance);
+  hull::PolytopeFaces labels = hull::label_facets(examined.sites, hull, data.tolerance);
   labels.is_extreme = std::move(exact.is_extreme);  // of all corners, if the cells are sound
   return labels;
 }
@@ -39,8 +42,8 @@ std::span<const SignedIndex> list(const std::vector<SignedIndex>& items,
 }
 
 /// The numbers that the file gives to our facets.
-std::vector<SignedIndex> check_facets(const SimplicialHull& hull, const PolytopeFaces& faces,
-                                      const Lists& facet_sites, const HullData& data) {
+std::vector<SignedIndex> check_facets(const SimplicialHull& hull, const hull::PolytopeFaces& faces,
+                                      const hull::Lists& facet_sites, const HullData& data) {
   if (faces.num_facets() != data.num_facets())
     throw Violation{
         fmt::format("{} facets are given, the cells make {}", data.num_facets(), faces.num_facets())};
@@ -74,10 +77,11 @@ std::vector<SignedIndex> check_facets(const SimplicialHull& hull, const Polytope
   return given_of;
 }
 
-void check_ridges(const SimplicialHull& hull, const PolytopeFaces& faces, const Lists& facet_sites,
-                  const std::vector<SignedIndex>& given_of, const HullData& data) {
+void check_ridges(const SimplicialHull& hull, const hull::PolytopeFaces& faces,
+                  const hull::Lists& facet_sites, const std::vector<SignedIndex>& given_of,
+                  const HullData& data) {
   using Facets = std::pair<SignedIndex, SignedIndex>;
-  const PolytopeRidges ridges = find_ridges(hull, faces, facet_sites);
+  const hull::PolytopeRidges ridges = hull::find_ridges(hull, faces, facet_sites);
   if (ridges.sites.size() != data.num_ridges())
     throw Violation{
         fmt::format("{} ridges are given, the facets make {}", data.num_ridges(), ridges.sites.size())};
@@ -104,7 +108,7 @@ void check_ridges(const SimplicialHull& hull, const PolytopeFaces& faces, const 
 /// greatest: with m within e of a normal of the hyperplane, the distance of x from it is m·t/|m| up to
 /// |t|·2e/|m|, t = x − a point of it. Only what is certainly broken is a violation. Nothing is promised in
 /// flats, nor where binary64 knows no normal.
-void check_equations(ExaminedHull& examined, const PolytopeFaces& faces,
+void check_equations(ExaminedHull& examined, const hull::PolytopeFaces& faces,
                      const std::vector<SignedIndex>& given_of, const HullData& data) {
   const BoundarySites& sites = examined.sites;
   const auto d = static_cast<std::size_t>(sites.ambient);
@@ -163,7 +167,7 @@ std::vector<SignedIndex> first_rows(const BoundarySites& sites) {
   return first;
 }
 
-void check_points(ExaminedHull& examined, const PolytopeFaces& faces, const HullData& data) {
+void check_points(ExaminedHull& examined, const hull::PolytopeFaces& faces, const HullData& data) {
   const SimplicialHull& hull = examined.hull;
   const std::vector<SignedIndex> first = first_rows(examined.sites);
   const std::vector<Index> vertices = examined.vertices();
@@ -205,9 +209,9 @@ void check_points(ExaminedHull& examined, const PolytopeFaces& faces, const Hull
 }  // namespace
 
 void check_hull_faces(ExaminedHull& examined, const HullData& data) {
-  const PolytopeFaces faces = faces_of(examined, data);
+  const hull::PolytopeFaces faces = faces_of(examined, data);
   if (!data.facet_of_cell.empty()) {
-    const Lists facet_sites = find_facet_sites(examined.hull, faces);
+    const hull::Lists facet_sites = hull::find_facet_sites(examined.hull, faces);
     const std::vector<SignedIndex> given_of = check_facets(examined.hull, faces, facet_sites, data);
     if (!data.ridge_offsets.empty()) check_ridges(examined.hull, faces, facet_sites, given_of, data);
     check_equations(examined, faces, given_of, data);

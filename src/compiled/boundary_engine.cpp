@@ -10,13 +10,13 @@
 #include <algorithm>
 #include <cmath>
 
-namespace delone::internal {
+namespace delone::compiled {
 namespace {
 
 /// Calls ask(cells, geometry, sphere) with those of the compiled dimension.
 template <class Ask>
 decltype(auto) visit(const BoundaryEngine& boundary, Ask&& ask) {
-  return with_compiled_dimension(
+  return internal::with_compiled_dimension(
       static_cast<std::size_t>(boundary.dimension()), [&](auto k) -> decltype(auto) {
         constexpr int K = cells_in(k());
         const auto& sphere = static_cast<const BoundaryOfCells<K>&>(boundary).sphere();
@@ -44,7 +44,7 @@ Sign certain_side_of(const Geometry& geometry, Index slot, const typename Geomet
 /// By exact stages alone.
 template <class Sphere>
 Sign exact_side_of(const Sphere& sphere, Index slot, const double* row) {
-  StageCounts uncounted;
+  internal::StageCounts uncounted;
   const auto vertices = sphere.cells().vertices(slot);
   return sphere.geometry().side(vertices, row, uncounted);
 }
@@ -53,7 +53,7 @@ Sign exact_side_of(const Sphere& sphere, Index slot, const double* row) {
 
 std::unique_ptr<BoundaryEngine> make_boundary_engine(const BoundarySites& sites, const CentralView& view,
                                                      const std::vector<Index>& simplex) {
-  return with_compiled_dimension(static_cast<std::size_t>(sites.dimension()), [&](auto k) {
+  return internal::with_compiled_dimension(static_cast<std::size_t>(sites.dimension()), [&](auto k) {
     return make_boundary_of_cells<cells_in(k())>(sites, view, simplex);
   });
 }
@@ -76,7 +76,7 @@ SimplicialHull simplicial_hull_of(const BoundaryEngine& boundary) {
     hull.neighbors.resize(hull.slots.size() * k);
     Index *vertex = hull.cells.data(), *neighbor = hull.neighbors.data();
     for (const Index cell : hull.slots) {
-      cancellation_point();
+      internal::cancellation_point();
       for (std::size_t i = 0; i < k; ++i) {
         *vertex++ = cells.vertex(cell, static_cast<int>(i)) - 1;
         *neighbor++ = compact[cells.neighbors(cell)[i]];
@@ -106,7 +106,7 @@ std::vector<std::pair<Index, Index>> coplanar_neighbors(const BoundaryEngine& bo
     };
     constexpr std::size_t ahead = 4;  // cells whose neighbors are on the way from memory
     for (Index c = 0; c < hull.num_cells(); ++c) {
-      cancellation_point();
+      internal::cancellation_point();
       const Index cell = hull.slots[c];
       if (c + ahead < hull.num_cells()) cells.prefetch_neighbors(hull.slots[c + ahead]);
       for (int i = 0; i <= cells.dimension(); ++i) {
@@ -133,17 +133,17 @@ void find_surely_interior(const BoundaryEngine& boundary, std::span<const Index>
       std::fill(is_interior.begin(), is_interior.end(), 0);
       return;
     }
-    work_in_parts(threads, sites.size(), part, [&] {
-      return
-          [&, from = sphere.last_cell()](std::size_t first, std::size_t last, const StopPoint& stop) mutable {
-            for (std::size_t i = first; i < last; ++i) {
-              stop();
-              const auto [outcome, near] =
-                  engine::approach(sphere.cells(), geometry, geometry.query_at(sites[i] + 1), from);
-              from = near.cell;
-              is_interior[i] = outcome == engine::Descent::hidden ? 1 : 0;
-            }
-          };
+    internal::work_in_parts(threads, sites.size(), part, [&] {
+      return [&, from = sphere.last_cell()](std::size_t first, std::size_t last,
+                                            const internal::StopPoint& stop) mutable {
+        for (std::size_t i = first; i < last; ++i) {
+          stop();
+          const auto [outcome, near] =
+              engine::approach(sphere.cells(), geometry, geometry.query_at(sites[i] + 1), from);
+          from = near.cell;
+          is_interior[i] = outcome == engine::Descent::hidden ? 1 : 0;
+        }
+      };
     });
   });
 }
@@ -163,7 +163,7 @@ std::optional<Index> slot_through(const BoundaryEngine& boundary, Index site) {
     const auto q = geometry.query_at(site + 1);
     const auto is_on = [&](Index cell) { return exact_side_of(sphere, cell, q.point) == Sign::zero; };
     if (geometry.can_walk()) {
-      StageCounts uncounted;
+      internal::StageCounts uncounted;
       const auto [outcome, near] = engine::approach(cells, geometry, q, sphere.last_cell());
       if (outcome == engine::Descent::hidden) return std::nullopt;
       const Index cell = engine::walk_exactly(cells, geometry, q, near.cell, false, uncounted).cell;
@@ -208,4 +208,4 @@ std::pair<Index, Sign> descend(const BoundaryEngine& boundary, const double* poi
   });
 }
 
-}  // namespace delone::internal
+}  // namespace delone::compiled

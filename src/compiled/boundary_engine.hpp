@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::compiled {
 
 using geometry::CentralView;
 
@@ -100,4 +100,4 @@ double hyperplane(const BoundaryEngine& boundary, Index slot, double* normal);
 std::pair<Index, Sign> descend(const BoundaryEngine& boundary, const double* q,
                                const std::vector<Index>& starts);
 
-}  // namespace delone::internal
+}  // namespace delone::compiled

@@ -10,7 +10,7 @@
 #include <span>
 #include <utility>
 
-namespace delone::internal {
+namespace delone::compiled {
 
 template <int K>
 class BoundaryEngineOfDimension final : public BoundaryOfCells<K> {
@@ -23,7 +23,7 @@ class BoundaryEngineOfDimension final : public BoundaryOfCells<K> {
     std::vector<Index> vertices = vertices_of(simplex_);
     const Index last = vertices.back();
     vertices.pop_back();
-    StageCounts uncounted;
+    internal::StageCounts uncounted;
     if (geometry().side(vertices.data(), geometry().point(last), uncounted) == Sign::negative)
       std::swap(vertices[0], vertices[1]);
     build_.seed(vertices, last);
@@ -66,7 +66,7 @@ class BoundaryEngineOfDimension final : public BoundaryOfCells<K> {
                             const BoundaryEngineOfDimension* other)
       : BoundaryOfCells<K>(sites.dimension()),
         simplex_(std::move(simplex)),
-        build_(sites.dimension() - 1, ids_for(sites.size()), sites, view, vertices_of(simplex_)) {
+        build_(sites.dimension() - 1, cells::ids_for(sites.size()), sites, view, vertices_of(simplex_)) {
     geometry().update_box();
     if (other != nullptr) build_.copy_cells(other->build_);
   }
@@ -91,4 +91,4 @@ std::unique_ptr<BoundaryEngine> make_boundary_of_cells(const BoundarySites& site
   return std::make_unique<BoundaryEngineOfDimension<K>>(sites, view, std::move(simplex));
 }
 
-}  // namespace delone::internal
+}  // namespace delone::compiled

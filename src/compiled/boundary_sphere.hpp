@@ -7,7 +7,7 @@
 #include "engine/sphere.hpp"
 #include "geometry/central_geometry.hpp"
 
-namespace delone::internal {
+namespace delone::compiled {
 
 /// The dimension of the cells of a boundary that spans k dimensions.
 constexpr int cells_in(int k) { return k > 1 ? k - 1 : 0; }
@@ -26,4 +26,4 @@ template <int K>
 std::unique_ptr<BoundaryEngine> make_boundary_of_cells(const BoundarySites& sites, const CentralView& view,
                                                        std::vector<Index> simplex);
 
-}  // namespace delone::internal
+}  // namespace delone::compiled

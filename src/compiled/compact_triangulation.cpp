@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-namespace delone {
+namespace delone::compiled {
 namespace {
 
 /// k + 1 vertices and k + 1 neighbors per cell.
@@ -95,13 +95,13 @@ class CompactTriangulationOfCells final : public CompactTriangulation {
 
   QueryLocation locate(const double* query, Index start) const override {
     const kernel::Grid grid = points_.grid_with(query);
-    return internal::locate(cells_, geometry_, {query, &grid, points_.ambient},
+    return compiled::locate(cells_, geometry_, {query, &grid, points_.ambient},
                             start == invalid_index ? 0 : start);
   }
   std::vector<CellId> conflict_zone(const double* query, Index start) const override {
     const kernel::Grid grid = points_.grid_with(query);
     const geometry::PointQuery q{query, &grid, static_cast<int>(points_.row_size())};
-    return internal::conflict_zone(cells_, geometry_, q, start == invalid_index ? 0 : start);
+    return compiled::conflict_zone(cells_, geometry_, q, start == invalid_index ? 0 : start);
   }
   Sign unperturbed_side(Index cell, const double* query) const override {
     const kernel::Grid grid = points_.grid_with(query);
@@ -139,4 +139,4 @@ std::unique_ptr<CompactTriangulation> make_compact_triangulation(const std::vect
                                                        engine.effort());
 }
 
-}  // namespace delone
+}  // namespace delone::compiled

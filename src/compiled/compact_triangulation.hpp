@@ -7,7 +7,7 @@
 
 #include <memory>
 
-namespace delone {
+namespace delone::compiled {
 
 class CompactTriangulation : public TriangulationQueries {
  public:
@@ -21,4 +21,4 @@ std::unique_ptr<CompactTriangulation> make_compact_triangulation(const std::vect
                                                                  const TriangulationEngine& engine,
                                                                  const Complex& complex);
 
-}  // namespace delone
+}  // namespace delone::compiled

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "compiled/dispatch.hpp"
 
-namespace delone {
+namespace delone::compiled {
 
 std::unique_ptr<TriangulationEngine> make_triangulation_engine(const std::vector<int>& axes,
                                                                VertexPoints& points,
@@ -13,4 +13,4 @@ std::unique_ptr<TriangulationEngine> make_triangulation_engine(const std::vector
   });
 }
 
-}  // namespace delone
+}  // namespace delone::compiled

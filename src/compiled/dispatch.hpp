@@ -5,7 +5,7 @@
 #include "base/compiled_dimension.hpp"
 #include "compiled/triangulation_engine.hpp"
 
-namespace delone {
+namespace delone::compiled {
 
 /// The engine compiled for axes.size() dimensions, or the one for run-time dimensions beyond 8 and when asked
 /// for.
@@ -15,4 +15,4 @@ std::unique_ptr<TriangulationEngine> make_triangulation_engine(const std::vector
                                                                const engine::Effort& effort,
                                                                bool force_runtime_dimension);
 
-}  // namespace delone
+}  // namespace delone::compiled

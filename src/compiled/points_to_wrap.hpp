@@ -16,7 +16,7 @@
 #include <span>
 #include <vector>
 
-namespace delone {
+namespace delone::compiled {
 
 /// Whether a point is inside exactly one of the given finite cells, oriented either way, and on the boundary
 /// of none. Exact. REQUIRES that vertices are wide.
@@ -97,7 +97,7 @@ class PointsToWrap {
               return geometry_.first_beyond(cell, slot, vertices, points_.grid);
             }};
   }
-  Geometry geometry_of(CellMemory<K>& memory) const {
+  Geometry geometry_of(cells::CellMemory<K>& memory) const {
     Geometry geometry(memory, geometry_.axes(), points_.ambient, points_.coordinates, points_.grid,
                       geometry_.frame());
     geometry.keep_rows(last_vertex());
@@ -120,4 +120,4 @@ class PointsToWrap {
   kernel::Grid grid_ = points_.grid;
 };
 
-}  // namespace delone
+}  // namespace delone::compiled

@@ -9,11 +9,11 @@
 
 #include <vector>
 
-namespace delone::internal {
+namespace delone::compiled {
 
 template <class Cells, engine::QueryGeometry G>
 QueryLocation locate(const Cells& cells, const G& geometry, const typename G::Query& q, Index start) {
-  StageCounts uncounted;
+  internal::StageCounts uncounted;
   const Index near = engine::descend(cells, geometry, q, start).second.cell;
   const engine::WalkResult found = engine::walk_exactly(cells, geometry, q, near, false, uncounted);
   QueryLocation location{found.cell, cells.infinite_slot(found.cell) >= 0, {}};
@@ -31,10 +31,10 @@ QueryLocation locate(const Cells& cells, const G& geometry, const typename G::Qu
 template <class Cells, engine::QueryGeometry G>
 std::vector<CellId> conflict_zone(const Cells& cells, const G& geometry, const typename G::Query& q,
                                   Index start) {
-  StageCounts uncounted;
+  internal::StageCounts uncounted;
   const engine::WalkResult found = engine::locate(cells, geometry, q, start, uncounted);
   if (found.vertex != invalid_index || found.hidden) return {};
-  StampedTable marks;
+  internal::StampedTable marks;
   engine::ConflictZone zone;
   engine::find_conflict_zone(cells, geometry, q, found.cell, engine::SeparateMarks(marks), zone, uncounted);
   std::vector<CellId> result;
@@ -42,4 +42,4 @@ std::vector<CellId> conflict_zone(const Cells& cells, const G& geometry, const t
   return result;
 }
 
-}  // namespace delone::internal
+}  // namespace delone::compiled

@@ -16,7 +16,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::compiled {
 
 using sites::BoundarySites;
 
@@ -49,4 +49,4 @@ inline Sign side_of_cell(const BoundarySites& sites, const SimplicialHull& hull,
   return hull.dimension == 1 && c == 0 ? -sign : sign;
 }
 
-}  // namespace delone::internal
+}  // namespace delone::compiled

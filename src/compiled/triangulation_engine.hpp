@@ -21,7 +21,7 @@
 #include <span>
 #include <vector>
 
-namespace delone {
+namespace delone::compiled {
 
 using sites::VertexPoints;
 
@@ -138,4 +138,4 @@ std::unique_ptr<TriangulationEngine> make_triangulation_engine(const std::vector
                                                                const geometry::Frame& frame,
                                                                const engine::Effort& effort);
 
-}  // namespace delone
+}  // namespace delone::compiled

@@ -24,7 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace delone {
+namespace delone::compiled {
 
 template <int K>
 class TriangulationEngineOfDimension final : public TriangulationEngine {
@@ -40,7 +40,7 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
                                 ? engine::few_vertices<K>
                                 : std::numeric_limits<std::size_t>::max()),
         points_(points),
-        build_(static_cast<int>(axes.size()), ids_for(points.last_expected()), axes, points.ambient,
+        build_(static_cast<int>(axes.size()), cells::ids_for(points.last_expected()), axes, points.ambient,
                points.coordinates, points.grid, frame) {
     build_.effort() = effort;
   }
@@ -102,7 +102,7 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
     if (at != v) return {engine::Outcome::duplicate, at};
     Index* const made = work.zone.made.data();
     std::transform(work.star().begin(), work.star().end(), made,
-                   [](const HorizonFacet& facet) { return facet.created; });
+                   [](const cells::HorizonFacet& facet) { return facet.created; });
     return {engine::Outcome::done, v, gone(), {made, work.star().size()}, work.swallowed};
   }
   void insert_all(const engine::Batch& batch) override {
@@ -185,14 +185,14 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
     const kernel::Grid grid = points_.grid_with(query);
     Query q = geometry().make_query(query, grid);
     q.compared = points_.ambient;
-    return internal::locate(cells(), geometry(), q, start == invalid_index ? build_.last_cell() : start);
+    return compiled::locate(cells(), geometry(), q, start == invalid_index ? build_.last_cell() : start);
   }
 
   std::vector<CellId> conflict_zone(const double* query, Index start) const override {
     need_functionals();
     const kernel::Grid grid = points_.grid_with(query);
     const Query q = geometry().make_query(query, grid);
-    return internal::conflict_zone(cells(), geometry(), q,
+    return compiled::conflict_zone(cells(), geometry(), q,
                                    start == invalid_index ? build_.last_cell() : start);
   }
 
@@ -339,4 +339,4 @@ std::unique_ptr<TriangulationEngine> make_triangulation_engine(const std::vector
   return std::make_unique<TriangulationEngineOfDimension<K>>(axes, points, frame, effort);
 }
 
-}  // namespace delone
+}  // namespace delone::compiled

@@ -27,7 +27,7 @@ std::string CanonicalHash::hex() const {
 namespace {
 
 // Adds each distinct tag once. Distinct points share a tag with probability below n²/2^129.
-void add_distinct(const std::vector<internal::PointTag>& tags, internal::HashAccumulator& hash) {
+void add_distinct(const std::vector<complex::PointTag>& tags, complex::HashAccumulator& hash) {
   const std::size_t capacity = std::bit_ceil(2 * tags.size() + 1);
   std::vector<std::size_t> table(capacity, 0);  // 1 + row; 0 is an empty place
   for (std::size_t row = 0; row < tags.size(); ++row) {
@@ -41,7 +41,7 @@ void add_distinct(const std::vector<internal::PointTag>& tags, internal::HashAcc
 
 /// The tags of weighted points. Hidden points do not count. Weights count only if those of the vertices
 /// differ.
-std::vector<internal::PointTag> weighted_tags(const ComplexData& data, internal::HashAccumulator& hash) {
+std::vector<complex::PointTag> weighted_tags(const ComplexData& data, complex::HashAccumulator& hash) {
   const std::size_t n = data.num_points(), d = static_cast<std::size_t>(data.dimension);
   if (data.weights.size() != n)
     throw Error(Errc::invalid_argument,
@@ -54,12 +54,12 @@ std::vector<internal::PointTag> weighted_tags(const ComplexData& data, internal:
   const bool weights_differ = std::any_of(vertices.begin(), vertices.end(), [&](std::size_t row) {
     return data.weights[row] != data.weights[vertices.front()];
   });
-  std::vector<internal::PointTag> tags(n);
+  std::vector<complex::PointTag> tags(n);
   std::vector<double> point(d + 1);
   for (const std::size_t row : vertices) {
     std::copy_n(data.points.begin() + static_cast<std::ptrdiff_t>(row * d), d, point.begin());
     point[d] = data.weights[row];
-    tags[row] = internal::point_tag(point.data(), data.dimension + (weights_differ ? 1 : 0));
+    tags[row] = complex::point_tag(point.data(), data.dimension + (weights_differ ? 1 : 0));
     hash.add_vertex(tags[row]);
   }
   return tags;
@@ -71,20 +71,20 @@ CanonicalHash canonical_hash(const ComplexData& data) { return canonical_hash(da
 
 CanonicalHash canonical_hash(const ComplexData& data, unsigned threads) {
   const std::size_t n = data.num_points();
-  std::vector<internal::PointTag> tags(n);
-  internal::HashAccumulator hash;
+  std::vector<complex::PointTag> tags(n);
+  complex::HashAccumulator hash;
   if (data.weights.empty()) {
     internal::for_parts(
         threads, n, 16384, [&](std::size_t first, std::size_t last, const internal::StopPoint&) {
           for (std::size_t row = first; row < last; ++row)
-            tags[row] = internal::point_tag(
+            tags[row] = complex::point_tag(
                 data.points.data() + row * static_cast<std::size_t>(data.dimension), data.dimension);
         });
     if (std::find(data.vertex_of_point.begin(), data.vertex_of_point.end(), -1) ==
         data.vertex_of_point.end()) {
       add_distinct(tags, hash);
     } else {  // hidden points do not count
-      std::vector<internal::PointTag> visible;
+      std::vector<complex::PointTag> visible;
       for (std::size_t row = 0; row < n; ++row)
         if (row >= data.vertex_of_point.size() || data.vertex_of_point[row] >= 0)
           visible.push_back(tags[row]);
@@ -94,9 +94,9 @@ CanonicalHash canonical_hash(const ComplexData& data, unsigned threads) {
     tags = weighted_tags(data, hash);
   }
   const std::size_t corners = static_cast<std::size_t>(data.affine_dimension + 1);
-  const auto add_cells = [&](std::size_t begin, std::size_t end, internal::HashAccumulator& some) {
+  const auto add_cells = [&](std::size_t begin, std::size_t end, complex::HashAccumulator& some) {
     for (std::size_t cell = begin; cell < end; ++cell) {
-      internal::PointTag sum;
+      complex::PointTag sum;
       for (std::size_t i = 0; i < corners; ++i) {
         const SignedIndex row = data.cells[cell * corners + i];
         if (row < 0 || static_cast<std::size_t>(row) >= n)
@@ -108,7 +108,7 @@ CanonicalHash canonical_hash(const ComplexData& data, unsigned threads) {
       some.add_cell(sum);
     }
   };
-  internal::add_in_parts(threads, data.num_cells(), hash, add_cells);
+  complex::add_in_parts(threads, data.num_cells(), hash, add_cells);
   return hash.finish(data.dimension, data.affine_dimension);
 }
 

@@ -15,7 +15,7 @@
 #include <cstdint>
 #include <mutex>
 
-namespace delone::internal {
+namespace delone::complex {
 
 /// 128 bits for one point. Equal coordinates have equal tags, and −0 = +0. A sum of tags stands for a set of
 /// points.
@@ -93,13 +93,14 @@ template <class AddSome>
 void add_in_parts(unsigned threads, std::size_t size, HashAccumulator& hash, const AddSome& add_some) {
   constexpr std::size_t part = 16384;
   std::mutex mutex;
-  for_parts(threads, size, part, [&](std::size_t first, std::size_t last, const StopPoint& stop) {
-    stop();
-    HashAccumulator some;
-    add_some(first, last, some);
-    const std::lock_guard lock(mutex);
-    hash.add(some);
-  });
+  internal::for_parts(threads, size, part,
+                      [&](std::size_t first, std::size_t last, const internal::StopPoint& stop) {
+                        stop();
+                        HashAccumulator some;
+                        add_some(first, last, some);
+                        const std::lock_guard lock(mutex);
+                        hash.add(some);
+                      });
 }
 
-}  // namespace delone::internal
+}  // namespace delone::complex

@@ -24,7 +24,7 @@ void append_in_order(std::span<const double> rows, std::size_t width, std::span<
     for (std::size_t first = 0; first < order.size(); first += most_in_block) {
       const std::size_t count = std::min(most_in_block, order.size() - first);
       for (std::size_t i = 0; i < count; ++i) {
-        delone::prefetch(rows.data() + order[std::min(first + i + ahead, order.size() - 1)] * w);
+        internal::prefetch(rows.data() + order[std::min(first + i + ahead, order.size() - 1)] * w);
         std::copy_n(rows.data() + order[first + i] * w, w, block.data() + i * w);
       }
       to.insert(to.end(), block.begin(), block.begin() + static_cast<std::ptrdiff_t>(count * w));

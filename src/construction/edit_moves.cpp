@@ -114,7 +114,7 @@ bool Editing::move_all_in_place() {
   const std::size_t first = record().sites.moved.size();
   constexpr std::size_t ahead = 16;
   for (std::size_t i = 0; i < leaving_.size(); ++i) {
-    if (i + ahead < leaving_.size()) prefetch(state_.sites.point(leaving_[i + ahead].vertex));
+    if (i + ahead < leaving_.size()) internal::prefetch(state_.sites.point(leaving_[i + ahead].vertex));
     if (leaving_[i].moves()) state_.sites.move(leaving_[i].vertex, point(placements_[leaving_[i].placement]));
   }
   const engine::Change change = state_.engine->move_all(std::move(frame), state_.options.threads);

@@ -88,8 +88,8 @@ void Editing::plan_moves() {
   for (std::size_t i = 0; i < edits_.move.size(); ++i) {
     if (i + ahead < edits_.move.size()) {
       const Index soon = index(state_.sites.vertex_of(edits_.move[i + ahead]));
-      prefetch(state_.sites.point(soon));
-      prefetch(state_.cell_of_vertex.data() + soon);
+      internal::prefetch(state_.sites.point(soon));
+      internal::prefetch(state_.cell_of_vertex.data() + soon);
     }
     const std::size_t row = edits_.move[i];
     double weight = state_.weighted() ? state_.sites.point(index(state_.sites.vertex_of(row)))[d] : 0;

@@ -37,7 +37,7 @@ Index Landmarks::find(std::uint32_t key) const {
 
 int Landmarks::deepest(const double* point) const {
   for (int level = std::max(typical_ - 1, 0); level <= std::min(typical_ + 1, smallest); ++level)
-    delone::prefetch(&table_[home(key(point, level))]);
+    internal::prefetch(&table_[home(key(point, level))]);
   // The cubes around a point have vertices down to some level. Doubling steps bracket it, bisection finds it.
   int known = -1, unknown = smallest + 1;
   for (int level = typical_, step = 1; known + 1 < unknown; step *= 2) {

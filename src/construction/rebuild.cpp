@@ -10,12 +10,15 @@
 #include <vector>
 
 namespace delone::construction {
+
+using sites::VertexPoints;
+
 namespace {
 
 /// While it lives, a set of sites has no points; vertices of a bulk insertion may take their place.
 class PointsAside {
  public:
-  explicit PointsAside(sites::VertexPoints& points) : points_(points), coordinates_(points.row_size(), 0.0) {
+  explicit PointsAside(VertexPoints& points) : points_(points), coordinates_(points.row_size(), 0.0) {
     coordinates_.swap(points.coordinates);
   }
   ~PointsAside() { coordinates_.swap(points_.coordinates); }
@@ -24,7 +27,7 @@ class PointsAside {
   std::span<const double> rows() const { return coordinates_; }
 
  private:
-  sites::VertexPoints& points_;
+  VertexPoints& points_;
   std::vector<double> coordinates_;
 };
 

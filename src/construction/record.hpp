@@ -25,7 +25,7 @@ struct Record {
   std::vector<std::pair<Index, bool>> were_visible;  ///< vertices that got their first cells or lost all
   bool engine_has_log = false;                       ///< the engine of the beginning has a log of its cells
   bool has_other_engine = false;                     ///< the engine is not the one of the beginning
-  std::unique_ptr<TriangulationEngine> engine;       ///< that one, if there was one
+  std::unique_ptr<compiled::TriangulationEngine> engine;  ///< that one, if there was one
 };
 
 }  // namespace delone::construction

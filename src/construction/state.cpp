@@ -12,6 +12,8 @@
 
 namespace delone::construction {
 
+using compiled::TriangulationEngine;
+
 std::unique_ptr<State> State::clone() const {
   auto copy = std::make_unique<State>(dimension(), sites.points().form, options);
   copy->sites = sites;
@@ -210,9 +212,9 @@ std::unique_ptr<TriangulationEngine> State::new_engine(const kernel::AffineHull&
   const TriangulationEngine* const before = engine              ? engine.get()
                                             : record != nullptr ? record->engine.get()
                                                                 : nullptr;
-  return make_triangulation_engine(flat.axes(), sites.points(), frame,
-                                   before != nullptr ? before->effort() : engine::Effort{},
-                                   options.force_runtime_dimension);
+  return compiled::make_triangulation_engine(flat.axes(), sites.points(), frame,
+                                             before != nullptr ? before->effort() : engine::Effort{},
+                                             options.force_runtime_dimension);
 }
 
 void State::add_landmarks(Index first, Index last) {

@@ -24,6 +24,8 @@
 
 namespace delone::construction {
 
+using compiled::TriangulationEngine;
+
 struct State {
   State(int dimension, kernel::RowForm form, const Options& given)
       : options(given), sites(dimension, form), affine_hull(dimension) {}

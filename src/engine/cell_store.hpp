@@ -22,6 +22,10 @@
 
 namespace delone::engine {
 
+using cells::CellLayout;
+using cells::CellMemory;
+using cells::Mark;
+
 /// Where the store of a worker gets slots from (parallel_insertion.hpp).
 class SlotSource {
  public:
@@ -45,7 +49,7 @@ class CellStore {
 
   /// Allows vertices up to `last` to be written from now on. Throws std::bad_alloc, and then changes nothing.
   void admit_vertices(Index last) {
-    if (last > last_narrow_vertex && memory_.layout().is_narrow()) [[unlikely]]
+    if (last > cells::last_narrow_vertex && memory_.layout().is_narrow()) [[unlikely]]
       widen_vertices();
   }
   /// Makes vertices wide, so that they can be used in place. Throws as above.
@@ -56,9 +60,9 @@ class CellStore {
   void set_vertex(Index cell, int i, Index vertex) {
     memory_.layout().set_vertex(memory_.links(cell), i, vertex);
   }
-  CellVertices<K> vertices(Index cell) const {
-    if constexpr (may_be_narrow(K))
-      return CellVertices<K>([layout = memory_.layout(), links = memory_.links(cell)](int i) {
+  cells::CellVertices<K> vertices(Index cell) const {
+    if constexpr (cells::may_be_narrow(K))
+      return cells::CellVertices<K>([layout = memory_.layout(), links = memory_.links(cell)](int i) {
         return layout.vertex(links, i);
       });
     else
@@ -66,7 +70,7 @@ class CellStore {
   }
   /// The same, in place or copied to `room`, which has k+1 entries.
   const Index* vertices(Index cell, [[maybe_unused]] Index* room) const {
-    if constexpr (may_be_narrow(K)) {
+    if constexpr (cells::may_be_narrow(K)) {
       for (int i = 0; i <= K; ++i) room[i] = vertex(cell, i);
       return room;
     } else {
@@ -109,9 +113,9 @@ class CellStore {
   /// Prefetches a cell.
   [[gnu::always_inline]] void prefetch(Index cell) const {
     const CellLayout<K> layout = memory_.layout();
-    const CellRecords<K> records = memory_.records();
+    const cells::CellRecords<K> records = memory_.records();
     prefetch_bytes(records.functional(cell), layout.functional_stride() * sizeof(double));
-    if (layout.certificates_are_apart()) delone::prefetch(records.certificate(cell));
+    if (layout.certificates_are_apart()) internal::prefetch(records.certificate(cell));
     if (layout.links_are_apart()) prefetch_links(cell);
   }
 
@@ -243,26 +247,28 @@ class CellStore {
   class Marks {
    public:
     explicit Marks(CellMemory<K>& memory) : records_(memory.records()) {}
-    Mark operator()(Index cell) const { return mark_bits::read(std::bit_cast<std::uint64_t>(word(cell))); }
+    Mark operator()(Index cell) const {
+      return cells::mark_bits::read(std::bit_cast<std::uint64_t>(word(cell)));
+    }
     bool is_unseen(Index cell) const {
-      return (std::bit_cast<std::uint64_t>(word(cell)) & mark_bits::all) == 0;
+      return (std::bit_cast<std::uint64_t>(word(cell)) & cells::mark_bits::all) == 0;
     }
     bool is_in_conflict(Index cell) const {
-      return (std::bit_cast<std::uint64_t>(word(cell)) >> mark_bits::in_conflict & 1) != 0;
+      return (std::bit_cast<std::uint64_t>(word(cell)) >> cells::mark_bits::in_conflict & 1) != 0;
     }
     void set(Index cell, Mark mark) {
-      word(cell) = std::bit_cast<double>((std::bit_cast<std::uint64_t>(word(cell)) & ~mark_bits::all) |
-                                         mark_bits::write(mark));
+      word(cell) = std::bit_cast<double>((std::bit_cast<std::uint64_t>(word(cell)) & ~cells::mark_bits::all) |
+                                         cells::mark_bits::write(mark));
     }
     /// Marks a cell that is in conflict, and leaves the mark of another as it is, without a branch.
     void set_if(Index cell, bool conflict) {
       word(cell) = std::bit_cast<double>(std::bit_cast<std::uint64_t>(word(cell)) |
-                                         std::uint64_t{conflict} << mark_bits::in_conflict);
+                                         std::uint64_t{conflict} << cells::mark_bits::in_conflict);
     }
 
    private:
     double& word(Index cell) const { return *records_.certificate(cell); }
-    CellRecords<K> records_;
+    cells::CellRecords<K> records_;
   };
   Marks marks() { return Marks(memory_); }
   Mark mark(Index cell) { return marks()(cell); }
@@ -291,8 +297,8 @@ class CellStore {
   /// From any start, not that of a line: a line that is prefetched twice costs less than a branch.
   [[gnu::always_inline]] static void prefetch_bytes(const void* first, std::size_t bytes) {
     for (std::size_t byte = 0; byte < bytes; byte += 64)
-      delone::prefetch(static_cast<const char*>(first) + byte);
-    if (bytes % 64 != 0) delone::prefetch(static_cast<const char*>(first) + bytes - 1);
+      internal::prefetch(static_cast<const char*>(first) + byte);
+    if (bytes % 64 != 0) internal::prefetch(static_cast<const char*>(first) + bytes - 1);
   }
 
   /// Without branches that depend on data.

@@ -20,7 +20,7 @@ class ClaimedCells {
 
   int dimension() const { return cells_.dimension(); }
   Index vertex(Index cell, int i) const { return cells_.vertex(cell, i); }
-  CellVertices<K> vertices(Index cell) const { return cells_.vertices(cell); }
+  cells::CellVertices<K> vertices(Index cell) const { return cells_.vertices(cell); }
   const Index* vertices(Index cell, Index* room) const { return cells_.vertices(cell, room); }
   int infinite_slot(Index cell) const { return cells_.infinite_slot(cell); }
 

@@ -31,6 +31,8 @@
 
 namespace delone::engine {
 
+using cells::Mark;
+
 /// Thrown where another worker holds a cell that is needed.
 struct Clash {};
 
@@ -53,8 +55,8 @@ class ClaimTable {
   /// Makes room for all slots that the memory has room for. Throws std::bad_alloc. To be called when cells
   /// have moved. No worker may be at work.
   template <int K>
-  void cover(CellMemory<K>& memory) {
-    const CellLayout<K>& layout = memory.layout();
+  void cover(cells::CellMemory<K>& memory) {
+    const cells::CellLayout<K>& layout = memory.layout();
     // Triangles are so small that an array of bytes alone is in the cache.
     if (layout.dimension() > 2 && num_workers_ <= layout.num_spare_bytes()) {
       view_ = {reinterpret_cast<std::uint8_t*>(memory.links(0) + layout.num_link_ids()),
@@ -91,7 +93,7 @@ class ClaimTable {
  private:
   unsigned num_workers_;
   View view_{nullptr, 0, true};
-  GrowableArray<std::uint8_t> bytes_{Pages::large};
+  internal::GrowableArray<std::uint8_t> bytes_{internal::Pages::large};
 };
 
 /// The claims of one worker, and its marks of cells that it holds.
@@ -175,7 +177,7 @@ class Claims {
   /// Prefetches the bytes of a cell, unless they are in its record.
   [[gnu::always_inline]] void prefetch(Index cell) const {
     const ClaimTable::View bytes = table_.view();
-    if (bytes.are_apart) delone::prefetch_for_writing(bytes.first + cell * bytes.stride);
+    if (bytes.are_apart) internal::prefetch_for_writing(bytes.first + cell * bytes.stride);
   }
 
   /// Claims one cell that others may have, or that is no cell any more. Returns whether it was got.
@@ -273,7 +275,7 @@ class Claims {
   ClaimTable& table_;
   unsigned worker_;
   unsigned hindrance_;  ///< what others may not have of a cell that is held
-  GrowableArray<Index> held_;
+  internal::GrowableArray<Index> held_;
   std::size_t num_held_ = 0;
 };
 

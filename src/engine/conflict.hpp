@@ -10,6 +10,8 @@
 
 namespace delone::engine {
 
+using internal::StageCounts;
+
 /// The answer of the stages before the perturbation for a cell and a query.
 struct Unperturbed {
   Sign side;            ///< the sign of h(q)

@@ -18,6 +18,8 @@
 
 namespace delone::engine {
 
+using internal::GrowableArray;
+
 /// Memory that is reused from insertion to insertion: the arrays only grow.
 struct ConflictZone {
   /// The neighbor of cell number `from` of the zone across its facet `slot`.

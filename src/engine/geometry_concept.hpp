@@ -19,7 +19,7 @@ namespace delone::engine {
 template <class G>
 concept QueryGeometry = requires(const G& known, Index cell, const Index* vertices, int slot,
                                  const typename G::Query& q, double value, double* numbers,
-                                 std::span<const Index> cells, StageCounts& counts) {
+                                 std::span<const Index> cells, internal::StageCounts& counts) {
   /// A copy of what it takes to evaluate functionals at q. value(cell): approximately h(q); among finite
   /// cells, the smaller the closer to a conflict. threshold(cell): a value beyond it has the sign of h(q).
   /// error(cell, value): |value − h(q)| is below it. A value that is not a number says nothing.
@@ -48,7 +48,7 @@ concept QueryGeometry = requires(const G& known, Index cell, const Index* vertic
 template <class G>
 concept Geometry = QueryGeometry<G> &&
     requires(G geometry, Index cell, const Index* vertices, int slot, const typename G::Query& q,
-             std::size_t size, bool known, std::span<const HorizonFacet> facets) {
+             std::size_t size, bool known, std::span<const cells::HorizonFacet> facets) {
   /// The query at the point of a vertex.
   { geometry.query_at(cell) } -> std::same_as<typename G::Query>;
   /// Computes what is cached for a new cell; the third argument is the slot of the infinite vertex or −1, the

@@ -58,24 +58,24 @@ struct Pieces {
 };
 
 /// The layout of cells, known at compile time from 2D to 8D.
-template <int K, VertexIds Ids>
-CellLayout<(K > 1 ? K : 0)> layout_of(const CellLinks& links) {
-  return CellLayout<(K > 1 ? K : 0)>(links.k, Ids);
+template <int K, cells::VertexIds Ids>
+cells::CellLayout<(K > 1 ? K : 0)> layout_of(const CellLinks& links) {
+  return cells::CellLayout<(K > 1 ? K : 0)>(links.k, Ids);
 }
 
 /// Vertices of a cell from number `begin` on, given its links.
-template <VertexIds Ids, class D>
+template <cells::VertexIds Ids, class D>
 HWY_INLINE hn::Vec<D> load_vertices(D d, const Index* links, std::size_t begin) {
-  if constexpr (Ids == VertexIds::narrow) {
+  if constexpr (Ids == cells::VertexIds::narrow) {
     const hn::Rebind<std::uint16_t, D> narrow;
     return hn::PromoteTo(d, hn::LoadU(narrow, reinterpret_cast<const std::uint16_t*>(links) + begin));
   } else {
     return hn::LoadU(d, links + begin);
   }
 }
-template <VertexIds Ids, class D>
+template <cells::VertexIds Ids, class D>
 HWY_INLINE void store_vertices(hn::Vec<D> vertices, D d, Index* links, std::size_t begin) {
-  if constexpr (Ids == VertexIds::narrow) {
+  if constexpr (Ids == cells::VertexIds::narrow) {
     const hn::Rebind<std::uint16_t, D> narrow;
     const hn::RebindToSigned<D> positive;
     hn::StoreU(hn::DemoteTo(narrow, hn::BitCast(positive, vertices)), narrow,
@@ -116,7 +116,7 @@ HWY_INLINE hn::Vec<D> look_up(D d, const std::uint32_t* entries, hn::Vec<D> indi
 
 /// `Shared`: the slot of the survivor across the facet is found by vertices alone. Its vertex opposite the
 /// facet is the difference of the sums of all vertices of the two cells, but for that of the dead one.
-template <int K, VertexIds Ids, bool Shared>
+template <int K, cells::VertexIds Ids, bool Shared>
 void create_cells(const CellLinks& links, Index apex, const DeadCells& zone, std::span<HorizonFacet> facets) {
   const IdTag<K> d;
   const Pieces<K> pieces(links.k);
@@ -134,8 +134,8 @@ void create_cells(const CellLinks& links, Index apex, const DeadCells& zone, std
         facets.size()) {  // what is side by side with its links too: the star's functionals are made from it
       const Index* const end = of(facets[f + ahead].survivor) + layout.num_link_ids();
       const Index* const begin = end - layout.num_link_ids() - ids_before_links;
-      for (const Index* line = begin; line < end; line += 16) delone::prefetch(line);
-      delone::prefetch(end - 1);
+      for (const Index* line = begin; line < end; line += 16) internal::prefetch(line);
+      internal::prefetch(end - 1);
     }
     const Index dead = zone.cells[facet.dead];
     const Index* const dead_links = of(dead);
@@ -181,7 +181,7 @@ void create_cells(const CellLinks& links, Index apex, const DeadCells& zone, std
   }
 }
 
-template <int K, VertexIds Ids>
+template <int K, cells::VertexIds Ids>
 void hash_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, std::size_t first,
                  std::size_t last, std::uint32_t* HWY_RESTRICT hashes, Index* HWY_RESTRICT created,
                  const RidgeEntries* table) {
@@ -216,7 +216,7 @@ void hash_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, s
   }
 }
 
-template <int K, VertexIds Ids>
+template <int K, cells::VertexIds Ids>
 void match_ridges(const CellLinks& links, std::span<const HorizonFacet> facets,
                   const std::uint32_t* HWY_RESTRICT hashes, const Index* HWY_RESTRICT created,
                   const RidgeEntries& table, std::uint8_t* HWY_RESTRICT unmatched) {
@@ -266,10 +266,10 @@ void match_ridges(const CellLinks& links, std::span<const HorizonFacet> facets,
 template <class Work>
 void for_layout(const CellLinks& links, Work&& work) {
   internal::with_compiled_dimension<1, 8>(static_cast<std::size_t>(links.k), [&](auto k) {
-    if constexpr (may_be_narrow(k()))
-      if (links.ids == VertexIds::narrow)
-        return work(k, std::integral_constant<VertexIds, VertexIds::narrow>());
-    work(k, std::integral_constant<VertexIds, VertexIds::wide>());
+    if constexpr (cells::may_be_narrow(k()))
+      if (links.ids == cells::VertexIds::narrow)
+        return work(k, std::integral_constant<cells::VertexIds, cells::VertexIds::narrow>());
+    work(k, std::integral_constant<cells::VertexIds, cells::VertexIds::wide>());
   });
 }
 

@@ -16,12 +16,14 @@
 
 namespace delone::engine {
 
+using cells::HorizonFacet;
+
 /// Where the vertices and neighbors of all cells are, laid out as CellLayout says. Behind the last cell there
 /// is room for a vector of ids more.
 struct CellLinks {
   Index* first;
   int k;
-  VertexIds ids;
+  cells::VertexIds ids;
 };
 
 /// The conflict zone that a star replaces.

@@ -30,6 +30,8 @@
 
 namespace delone::engine {
 
+using internal::GrowableArray;
+
 class RidgeTable {
  public:
   /// `rounds`: how often half-ridges are hashed before they are compared.
@@ -115,7 +117,7 @@ class RidgeTable {
   }
   /// The word whose lowest bits are those of the first byte.
   static std::uint64_t from_bytes(std::uint64_t bytes) {
-    return std::endian::native == std::endian::big ? byte_swap(bytes) : bytes;
+    return std::endian::native == std::endian::big ? internal::byte_swap(bytes) : bytes;
   }
   static std::size_t num_words(std::size_t halves) { return halves / 64 + 1; }
 

@@ -32,6 +32,8 @@
 
 namespace delone::engine {
 
+using internal::GrowableArray;
+
 /// What is known of the vertices that cells have.
 struct VertexOrder {
   Index size;  ///< all ids are before it, or places if there are any
@@ -61,7 +63,7 @@ class CellSorter {
     find_keys();
     distribute();
     number_cells();
-    CellMover<K> mover(memory_, {entries_.data(), cells_.num_cells()}, cells_.vacant(), threads_);
+    cells::CellMover<K> mover(memory_, {entries_.data(), cells_.num_cells()}, cells_.vacant(), threads_);
     rewrite_links();
     mover.run();
     cells_.close_gaps();
@@ -149,7 +151,7 @@ class CellSorter {
         const std::size_t begin = v > 0 ? end_[v - 1] : 0, end = end_[v];
         sort({entries_.data() + begin, end - begin});
         for (std::size_t n = begin; n < end; ++n) {
-          entries_[n] &= CellMover<K>::slot_mask;
+          entries_[n] &= cells::CellMover<K>::slot_mask;
           of_slots_[entries_[n]] = static_cast<Index>(n);
         }
       }

@@ -32,7 +32,7 @@ class Sphere {
 
   /// No cells yet. `of_geometry`: what a geometry is made from, beside the memory of the cells.
   template <class... OfGeometry>
-  Sphere(int dimension, VertexIds ids, OfGeometry&&... of_geometry)
+  Sphere(int dimension, cells::VertexIds ids, OfGeometry&&... of_geometry)
       : memory_(dimension, ids),
         cells_(memory_),
         geometry_(memory_, std::forward<OfGeometry>(of_geometry)...) {}

@@ -53,7 +53,7 @@ class UndoLog {
     is_on_ = false;
     if (is_small_ && notes_.capacity() < most_kept) return;  // what there is serves the next small batch
     fresh_ = std::vector<Index>();
-    notes_ = GrowableArray<Index>();
+    notes_ = internal::GrowableArray<Index>();
     was_there_ = std::vector<std::uint64_t>();
   }
 
@@ -173,7 +173,7 @@ class UndoLog {
   bool is_on_ = false, is_small_ = false;
   Index num_slots_ = 0;
   std::size_t num_notes_ = 0;
-  GrowableArray<Index> notes_;            // id, vertices, neighbors
+  internal::GrowableArray<Index> notes_;  // id, vertices, neighbors
   std::vector<std::uint64_t> was_there_;  // a bit for each slot: a cell was there, and is there
   // Of a small batch: slots whose cells have been noted, and those of new cells that were vacant; the latter.
   internal::StampedTable changed_;

@@ -20,6 +20,8 @@
 
 namespace delone {
 
+using sites::VertexPoints;
+
 struct AlphaComplex::Impl {
   Impl(const Triangulation& t, internal::SquareBound b, const FaceOptions& options)
       : triangulation(&t), bound(std::move(b)), k(t.affine_dimension()) {
@@ -55,7 +57,7 @@ struct AlphaComplex::Impl {
 void AlphaComplex::Impl::find_cells(unsigned threads) {
   constexpr std::size_t block = internal::orthosphere_block;
   const Complex complex = triangulation->complex();
-  const VertexPoints& points = internal::StoredPoints::of(*triangulation);
+  const VertexPoints& points = triangulation::StoredPoints::of(*triangulation);
   const auto corners = static_cast<std::size_t>(k) + 1;
   states.assign(complex.num_cell_slots(), none);
   internal::work_in_parts(threads, states.size(), internal::faces_in_part, [&] {
@@ -107,7 +109,7 @@ AlphaComplex::Impl::Conflict AlphaComplex::Impl::known_conflict(CellId cell, int
 /// cells.
 bool AlphaComplex::Impl::has_no_conflict(internal::Orthospheres& of_cells, CellId c, int i) const {
   const Complex complex = triangulation->complex();
-  const VertexPoints& points = internal::StoredPoints::of(*triangulation);
+  const VertexPoints& points = triangulation::StoredPoints::of(*triangulation);
   const double* corners[64];
   const auto is_in_conflict = [&](CellId cell, int apex) {
     if (const Conflict known = known_conflict(cell, apex); known != Conflict::unknown)
@@ -121,7 +123,7 @@ bool AlphaComplex::Impl::has_no_conflict(internal::Orthospheres& of_cells, CellI
 
 void AlphaComplex::Impl::find_boundary(unsigned threads) {
   const Complex complex = triangulation->complex();
-  const VertexPoints& points = internal::StoredPoints::of(*triangulation);
+  const VertexPoints& points = triangulation::StoredPoints::of(*triangulation);
   const std::size_t slots = states.size(), part = internal::faces_in_part;
   const std::vector<SignedIndex> rows = internal::rows_of_vertices(*triangulation);
   const auto row = [&](CellId c, int i) { return rows[index(complex.vertex(c, i))]; };
@@ -218,7 +220,7 @@ Faces AlphaComplex::Impl::faces(int j, const FaceOptions& options) const {
       const std::size_t corners = level.corners();
       Masks masks(level.size(), corners);
       // The center of an edge without weights is between its vertices.
-      if (level.dimension > 1 || StoredPoints::of(*triangulation).weighted())
+      if (level.dimension > 1 || triangulation::StoredPoints::of(*triangulation).weighted())
         for_wanted_faces(
             *triangulation, level, unit, options.threads, [&](std::size_t face) { return marks[face] == 0; },
             [&](FaceBlocks& blocks, std::span<const std::size_t> some) {
@@ -323,12 +325,12 @@ ComplexData AlphaComplex::boundary_data() const {
     data.dimension = dimension();
     data.affine_dimension = std::max(impl_->k - 1, -1);
     data.kind = DataKind::alpha_boundary;
-    const std::size_t rows = internal::StoredPoints::vertices_of_rows(triangulation).size();
+    const std::size_t rows = triangulation::StoredPoints::vertices_of_rows(triangulation).size();
     data.points.reserve(rows * d);
     internal::QuickRounds round;
     for (std::size_t row = 0; row < rows; ++row) {
       round();
-      const double* const point = internal::StoredPoints::of_row(triangulation, row);
+      const double* const point = triangulation::StoredPoints::of_row(triangulation, row);
       if (point == nullptr)
         data.points.insert(data.points.end(), d, std::numeric_limits<double>::quiet_NaN());
       else

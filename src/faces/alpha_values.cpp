@@ -84,7 +84,8 @@ class Filtration {
   void find_values() {
     masks_ = Masks(level_.size(), level_.corners());
     using Want = Orthospheres::Want;
-    const bool has_beyond = level_.dimension > 1 || StoredPoints::of(triangulation_).weighted();
+    const bool has_beyond =
+        level_.dimension > 1 || triangulation::StoredPoints::of(triangulation_).weighted();
     for_wanted_faces(
         triangulation_, level_, unit_, threads_, [](std::size_t) { return true; },
         [&](FaceBlocks& blocks, std::span<std::size_t> faces) {

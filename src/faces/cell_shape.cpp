@@ -172,7 +172,7 @@ struct IntegerGram {
   std::vector<Integer> gram;
 
   IntegerGram(const double* const* points, std::size_t corners, std::size_t d)
-      : n(corners - 1), gram(IntegerEdges({points, corners}, {}, d).gram()) {}
+      : n(corners - 1), gram(solve::IntegerEdges({points, corners}, {}, d).gram()) {}
 
   /// From vertex i+1 to vertex m+1, or to the first one if i = m.
   Integer square_of_edge(std::size_t i, std::size_t m) const {

@@ -43,7 +43,7 @@ ExactOrthosphere::ExactOrthosphere(const double* const* points, std::size_t corn
                                    bool weighted) {
   std::vector<double> weights;
   for (std::size_t i = 0; weighted && i < corners; ++i) weights.push_back(points[i][dimension]);
-  const IntegerEdges integers({points, corners}, weights, dimension);
+  const solve::IntegerEdges integers({points, corners}, weights, dimension);
   grid_ = integers.grid;
   kernel::Fractions solution = integers.solve_gram(integers.rights);
   determinant_ = std::move(solution.denominator);

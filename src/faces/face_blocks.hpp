@@ -18,11 +18,13 @@
 
 namespace delone::internal {
 
+using sites::VertexPoints;
+
 inline constexpr std::size_t faces_in_part = 8192;
 
 /// The exponent of a unit that all coordinates are multiples of, and its square all weights.
 inline int unit_of(const Triangulation& triangulation) {
-  const VertexPoints& points = StoredPoints::of(triangulation);
+  const VertexPoints& points = triangulation::StoredPoints::of(triangulation);
   return unit_of(points.coordinates, points.weighted() ? static_cast<std::size_t>(points.ambient) : 0);
 }
 
@@ -80,7 +82,7 @@ class FaceBlocks {
 template <class IsWanted, class Work>
 void for_wanted_faces(const Triangulation& triangulation, const FaceLevel& level, int unit, unsigned threads,
                       const IsWanted& is_wanted, const Work& work) {
-  const VertexPoints& points = StoredPoints::of(triangulation);
+  const VertexPoints& points = triangulation::StoredPoints::of(triangulation);
   work_in_parts(threads, level.size(), faces_in_part, [&] {
     return [&, blocks = FaceBlocks(points, unit, level), wanted = std::vector<std::size_t>()](
                std::size_t first, std::size_t last, const StopPoint& stop) mutable {

@@ -20,7 +20,7 @@ namespace {
 template <class MakeWork>
 void for_blocks_of(const Triangulation& triangulation, unsigned threads, const MakeWork& make_work) {
   const Complex complex = triangulation.complex();
-  const VertexPoints& points = StoredPoints::of(triangulation);
+  const sites::VertexPoints& points = triangulation::StoredPoints::of(triangulation);
   std::vector<CellId> cells;
   cells.reserve(complex.num_finite_cells());
   QuickRounds round;
@@ -78,9 +78,9 @@ std::vector<double> circumcenters(const Triangulation& triangulation, const Face
       for (const VertexId v : vertices)
         aligned = aligned && triangulation.point(v)[j] == triangulation.point(vertices.front())[j];
     }
-    static_assert(internal::CenterFinder::block == internal::orthosphere_block);
+    static_assert(solve::CenterFinder::block == internal::orthosphere_block);
     internal::for_blocks_of(triangulation, options.threads, [&] {
-      return [&, finder = internal::CenterFinder(triangulation.dimension(), axes, aligned)](
+      return [&, finder = solve::CenterFinder(triangulation.dimension(), axes, aligned)](
                  std::size_t first, std::size_t count, const double* const* points) mutable {
         finder.find_block(count, points, nullptr, centers.data() + first * d);
       };

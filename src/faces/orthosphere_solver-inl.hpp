@@ -21,6 +21,9 @@ HWY_BEFORE_NAMESPACE();
 namespace delone::internal {
 namespace HWY_NAMESPACE {
 
+using namespace solve::HWY_NAMESPACE;
+using solve::HWY_NAMESPACE::select;  // not that of base
+
 /// The least double that is not below a number within `error` of x, where that is settled.
 template <class T>
 struct RoundedUp {

@@ -35,7 +35,7 @@ Sample sample_of(std::span<const double> coordinates, int dimension, std::size_t
     std::vector<TaggedRow> tagged;
     for (std::size_t row = 0; row < n; ++row) {
       if (row % 1024 == 0) internal::cancellation_point();
-      const std::uint64_t tag = internal::point_tag(coordinates.data() + row * d, dimension).high;
+      const std::uint64_t tag = complex::point_tag(coordinates.data() + row * d, dimension).high;
       if (tag <= bound) tagged.push_back({tag, row});
     }
     return tagged;

@@ -31,6 +31,9 @@
 
 namespace delone::geometry {
 
+using internal::StageCounts;
+using sites::BoundarySites;
+
 /// A row to be tested against cells.
 template <int K>
 struct CentralQuery {
@@ -51,7 +54,7 @@ class CentralGeometry {
   /// Vertex v is site v − 1. `inner`: vertices on no common hyperplane, for a view whose centre is not
   /// inside: then the filter is never certain. The references must outlive this object; what they refer to
   /// may grow.
-  CentralGeometry(CellMemory<K>& cells, const sites::BoundarySites& sites, const CentralView& view,
+  CentralGeometry(CellMemory<K>& cells, const BoundarySites& sites, const CentralView& view,
                   std::vector<Index> inner)
       : sites_(sites),
         view_(view),
@@ -236,7 +239,7 @@ class CentralGeometry {
     return rows;
   }
 
-  const sites::BoundarySites& sites_;
+  const BoundarySites& sites_;
   const CentralView& view_;
   std::vector<Index> inner_;
   std::vector<double> scale_;  // per axis

@@ -251,8 +251,9 @@ class DelaunayGeometry : public PointPredicates<K> {
   std::uint64_t bounds_revision_ = 0;
   Functionals<K> functionals_;
   bool computes_rows_ = false;
-  GrowableArray<double> rows_{Pages::large};  // of the vertices in the frame, if they are kept
-  const double* shared_rows_ = nullptr;       // those of another thread's geometry, if it
+  internal::GrowableArray<double> rows_{
+      internal::Pages::large};           // of the vertices in the frame, if they are kept
+  const double* shared_rows_ = nullptr;  // those of another thread's geometry, if it
   bool has_all_rows_ = false;
 };
 

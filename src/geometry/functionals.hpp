@@ -39,6 +39,9 @@
 
 namespace delone::geometry {
 
+using cells::CellMemory;
+using cells::HorizonFacet;
+
 /// K is the dimension of the cells, or 0 when it is chosen at run time.
 template <int K, bool Lifted = true>
 class Functionals {
@@ -88,7 +91,7 @@ class Functionals {
       return std::bit_cast<std::uint64_t>(*records_.certificate(cell));
     }
 
-    CellRecords<K, const double> records_;
+    cells::CellRecords<K, const double> records_;
     kernel::Buffer<double, K + (K > 0)> row_;
     double per_bend_;
     int k_;

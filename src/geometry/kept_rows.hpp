@@ -35,7 +35,7 @@ class KeptRows {
 
  private:
   std::size_t width_;
-  GrowableArray<double> rows_;
+  internal::GrowableArray<double> rows_;
   const double* shared_ = nullptr;
 };
 

@@ -83,8 +83,8 @@ class Gathered {
   /// vertices of each cell, two cells at a time. The vertex `apart` is none of them, and the infinite vertex,
   /// if there is one, the last.
   HWY_INLINE void gather(const NearTask& task, Index apart, std::size_t num_vertices, std::size_t width) {
-    const CellLayout<K> layout(task.k, task.ids);
-    const CellRecords<K, const double> records(layout, task.functionals, task.certificates);
+    const cells::CellLayout<K> layout(task.k, task.ids);
+    const cells::CellRecords<K, const double> records(layout, task.functionals, task.certificates);
     constexpr Index infinite = index(infinite_vertex);
     const auto list_vertices = [&](Index cell, Index* vertices) {
       const Index* const all = task.links + cell * layout.link_stride();
@@ -327,7 +327,7 @@ HWY_INLINE CofactorSums<V> sum_cofactors(const E& edges, const V* minors, const 
 /// positive.
 template <int K>
 double sign_of_normal(const NearTask& task, Index cell, Index apex) {
-  const CellLayout<K> layout(task.k, task.ids);
+  const cells::CellLayout<K> layout(task.k, task.ids);
   const Index* const links = task.links + cell * layout.link_stride();
   const auto slot_of = [&](Index v) {
     int slot = 0;

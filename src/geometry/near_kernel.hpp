@@ -24,10 +24,10 @@ struct NearTask {
   std::span<const Index> cells;  ///< at least one, at most near_lanes
   const double* functionals;     ///< of all cells, as in CellRecords
   const double* certificates;
-  const Index* links;  ///< of all cells, as in CellLayout
-  VertexIds ids;       ///< as in CellLayout
-  VertexRows rows;     ///< images and lifts, of all vertices; computed for can_compute_rows(k) only
-  const double* row;   ///< of the point
+  const Index* links;    ///< of all cells, as in CellLayout
+  cells::VertexIds ids;  ///< as in CellLayout
+  VertexRows rows;       ///< images and lifts, of all vertices; computed for can_compute_rows(k) only
+  const double* row;     ///< of the point
   // Constants of the frame.
   double evaluation_error;  ///< of a rounded evaluation, relative to the sum of the magnitudes of a
                             ///< functional's terms

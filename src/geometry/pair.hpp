@@ -10,7 +10,7 @@
 
 namespace delone::geometry {
 
-using Pair = Lanes<double, 2>;
+using Pair = internal::Lanes<double, 2>;
 
 inline Pair load_pair(const double* from) {
   Pair pair;

@@ -20,6 +20,8 @@
 
 namespace delone::geometry {
 
+using internal::StageCounts;
+
 /// A point to be tested against cells: its coordinates (then its weight, if points have one), and a grid that
 /// all vertices and the point itself lie on.
 struct PointQuery {

@@ -67,14 +67,14 @@ inline std::uint64_t bits_of(double x) { return std::bit_cast<std::uint64_t>(x);
 
 /// The functionals and certificates of all cells. K is k, or 0 for any.
 template <int K>
-CellRecords<K> records_of(const StarTask& task) {
-  return {CellLayout<K>(task.k, task.ids), task.functionals, task.certificates};
+cells::CellRecords<K> records_of(const StarTask& task) {
+  return {cells::CellLayout<K>(task.k, task.ids), task.functionals, task.certificates};
 }
 
 /// The value of B at the vertex of A opposite the facet; with A alone infinite, the other way round.
 template <int K>
-HWY_INLINE double value_at_opposite(const StarTask& task, const CellRecords<K>& records,
-                                    const HorizonFacet& facet) {
+HWY_INLINE double value_at_opposite(const StarTask& task, const cells::CellRecords<K>& records,
+                                    const cells::HorizonFacet& facet) {
   const auto k = static_cast<std::size_t>(K > 0 ? K : task.k);
   const auto is_infinite = [&](Index cell) {
     return certificate::infinite(bits_of(*records.certificate(cell)));
@@ -97,12 +97,12 @@ HWY_INLINE double value_at_opposite(const StarTask& task, const CellRecords<K>& 
 
 /// Gathers the input of a block, one facet per lane, two facets at a time. K is k, or 0 for any k.
 template <int K>
-void gather(const StarTask& task, std::span<const HorizonFacet> facets, double* HWY_RESTRICT block) {
+void gather(const StarTask& task, std::span<const cells::HorizonFacet> facets, double* HWY_RESTRICT block) {
   const auto entries = static_cast<std::size_t>(K > 0 ? K : task.k) + 1;
-  const CellRecords<K> records = records_of<K>(task);
+  const cells::CellRecords<K> records = records_of<K>(task);
   for (std::size_t lane = 0; lane < facets.size(); lane += 2) {
-    const HorizonFacet& one = facets[lane];
-    const HorizonFacet& two = facets[std::min(lane + 1, facets.size() - 1)];
+    const cells::HorizonFacet& one = facets[lane];
+    const cells::HorizonFacet& two = facets[std::min(lane + 1, facets.size() - 1)];
     // Keeps this one loop: several would cost a branch misprediction each, at their ends.
     std::atomic_signal_fence(std::memory_order_seq_cst);
     const auto put = [&](std::size_t array, double of_one, double of_two) {
@@ -304,11 +304,11 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
 
 /// Writes the functionals and certificates of a block. Returns how many entries of `weak` it has written.
 template <int K>
-std::size_t scatter(const StarTask& task, std::span<const HorizonFacet> facets, std::size_t first,
+std::size_t scatter(const StarTask& task, std::span<const cells::HorizonFacet> facets, std::size_t first,
                     const double* HWY_RESTRICT block, std::uint32_t* HWY_RESTRICT weak) {
   const auto entries = static_cast<std::size_t>(K > 0 ? K : task.k) + 1;
   const double* result = block + coefficients * block_size;
-  const CellRecords<K> records = records_of<K>(task);
+  const cells::CellRecords<K> records = records_of<K>(task);
   std::size_t num_weak = 0;
   for (std::size_t lane = 0; lane < facets.size(); ++lane) {
     double* HWY_RESTRICT functional = records.functional(facets[lane].created);
@@ -337,7 +337,7 @@ std::size_t combine_blocks(const StarTask& task, double* block) {
   for (std::size_t first = 0; first < task.facets.size(); first += block_size) {
     const auto facets = task.facets.subspan(first, std::min(block_size, task.facets.size() - first));
     // Vertices are scattered in memory: all rows of a block are prefetched together.
-    for (const HorizonFacet& facet : facets) {
+    for (const cells::HorizonFacet& facet : facets) {
       task.rows.prefetch(facet.dead_opposite, k);
       task.rows.prefetch(facet.survivor_opposite, k);
     }

@@ -33,11 +33,11 @@ struct FrameConstants {
 
 /// The functionals of a star's cells from those of the cells on the two sides of each facet.
 struct StarTask {
-  std::span<const HorizonFacet> facets;
+  std::span<const cells::HorizonFacet> facets;
   int k;
-  bool lifted;          ///< whether rows are (X, 1 | ℓ), else (X | 1)
-  VertexIds ids;        ///< as in CellLayout
-  double* functionals;  ///< of all cells, as in CellRecords
+  bool lifted;           ///< whether rows are (X, 1 | ℓ), else (X | 1)
+  cells::VertexIds ids;  ///< as in CellLayout
+  double* functionals;   ///< of all cells, as in CellRecords
   double* certificates;
   VertexRows rows;          ///< (X, ℓ), or X; computed for can_compute_rows(k) only
   const double* query_row;  ///< that of the new vertex

@@ -54,8 +54,8 @@ class VertexRows {
     const bool computed = rows_ == nullptr;
     const double* const first = computed ? points_ : rows_;
     const std::size_t size = static_cast<std::size_t>(k) + !computed;
-    delone::prefetch(first + v * size);
-    delone::prefetch(first + v * size + size - 1);
+    internal::prefetch(first + v * size);
+    internal::prefetch(first + v * size + size - 1);
   }
 
  private:

@@ -7,11 +7,15 @@
 #include <cmath>
 #include <utility>
 
-namespace delone::internal {
+namespace delone::halfspaces {
+
+using geometry::CentralView;
+using sites::BoundarySites;
+
 namespace {
 
 Sign orientation_of(const BoundarySites& sites, const std::vector<const double*>& rows) {
-  StageCounts uncounted;
+  internal::StageCounts uncounted;
   return kernel::homogeneous_orientation<0>(sites.flat(), rows.data(), uncounted);
 }
 
@@ -56,18 +60,18 @@ CentralView view_from_inside(const BoundarySites& sites, const std::vector<Index
   return view;
 }
 
-Sign side_of_cell(const Boundary& boundary, const SimplicialHull& hull, std::size_t c, Index site) {
+Sign side_of_cell(const hull::Boundary& boundary, const SimplicialHull& hull, std::size_t c, Index site) {
   if (boundary.engine() == nullptr) return boundary.side_of_end(c, site);
-  return side_of_slot(*boundary.engine(), hull.slots[c], site);
+  return compiled::side_of_slot(*boundary.engine(), hull.slots[c], site);
 }
 
-std::optional<Index> cell_through(const Boundary& boundary, const SimplicialHull& hull, Index site) {
+std::optional<Index> cell_through(const hull::Boundary& boundary, const SimplicialHull& hull, Index site) {
   // For k = 1 a site in no cell is a ray between two others.
   if (boundary.engine() == nullptr || boundary.is_surely_interior(site)) return std::nullopt;
-  const auto slot = slot_through(*boundary.engine(), site);
+  const auto slot = compiled::slot_through(*boundary.engine(), site);
   if (!slot) return std::nullopt;
   return static_cast<Index>(std::lower_bound(hull.slots.begin(), hull.slots.end(), *slot) -
                             hull.slots.begin());
 }
 
-}  // namespace delone::internal
+}  // namespace delone::halfspaces

@@ -11,16 +11,18 @@
 #include <optional>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::halfspaces {
+
+using compiled::SimplicialHull;
 
 /// A view of rows from strictly inside the cone of some sites, if a row of doubles is. It has no box.
-CentralView view_from_inside(const BoundarySites& sites, const std::vector<Index>& simplex,
-                             const InteriorPoint& p);
+geometry::CentralView view_from_inside(const sites::BoundarySites& sites, const std::vector<Index>& simplex,
+                                       const InteriorPoint& p);
 
 /// The exact side of cell c of the boundary's hull that a site is on: + inside, 0 on its hyperplane.
-Sign side_of_cell(const Boundary& boundary, const SimplicialHull& hull, std::size_t c, Index site);
+Sign side_of_cell(const hull::Boundary& boundary, const SimplicialHull& hull, std::size_t c, Index site);
 /// For a site in no cell: a cell of the boundary's hull on whose hyperplane it is exactly, or nullopt if it
 /// is strictly inside.
-std::optional<Index> cell_through(const Boundary& boundary, const SimplicialHull& hull, Index site);
+std::optional<Index> cell_through(const hull::Boundary& boundary, const SimplicialHull& hull, Index site);
 
-}  // namespace delone::internal
+}  // namespace delone::halfspaces

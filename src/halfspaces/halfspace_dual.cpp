@@ -15,7 +15,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace delone::internal {
+namespace delone::halfspaces {
 namespace {
 
 /// Zero, or so moderate that neither products nor their rounding errors leave the range of doubles.
@@ -106,4 +106,4 @@ void dual_point(const double* row, const InteriorPoint& p, std::span<const int> 
   if (!p.is_exact() || !find_in_pairs(row, p.rounded, axes, dual)) find_in_integers(row, p, axes, dual);
 }
 
-}  // namespace delone::internal
+}  // namespace delone::halfspaces

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::halfspaces {
 
 /// A point strictly inside, and its rounding. If `numerators` is empty, `rounded` is the point itself; else
 /// its coordinates are numerators[j]/denominator·2^exponent.
@@ -32,4 +32,4 @@ std::vector<kernel::Integer> integer_row(const double* row, std::size_t size);
 /// beyond the range of doubles. Computed in pairs of doubles if cancellation allows, otherwise in integers.
 void dual_point(const double* row, const InteriorPoint& p, std::span<const int> axes, double* dual);
 
-}  // namespace delone::internal
+}  // namespace delone::halfspaces

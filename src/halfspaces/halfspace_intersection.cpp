@@ -28,9 +28,9 @@
 namespace delone {
 namespace {
 
-using internal::InteriorPoint;
-using internal::IntersectionParts;
-using internal::SitesToInsert;
+using halfspaces::InteriorPoint;
+using halfspaces::IntersectionParts;
+using halfspaces::SitesToInsert;
 
 bool has_normal(const double* row, std::size_t d) {
   return std::any_of(row, row + d, [](double x) { return x != 0; });
@@ -78,7 +78,7 @@ struct Polyhedron::Impl {
     std::vector<std::size_t> bad;
     for (std::size_t r = first; r * (d + 1) < all.size(); ++r)
       if (const double* row = &all[r * (d + 1)];
-          has_normal(row, d) ? !internal::is_strictly_inside(row, p) : row[d] > 0)
+          has_normal(row, d) ? !halfspaces::is_strictly_inside(row, p) : row[d] > 0)
         bad.push_back(r - first);
     if (!bad.empty())
       throw Error(Errc::invalid_argument,
@@ -112,7 +112,7 @@ struct Polyhedron::Impl {
       if (known != nullptr) {
         next->interior = *known;
       } else {
-        internal::InteriorSearch search = internal::find_interior_point(all, static_cast<int>(d), proper);
+        halfspaces::InteriorSearch search = halfspaces::find_interior_point(all, static_cast<int>(d), proper);
         next->state = search.state;
         next->interior = std::move(search.point);
         next->witness.assign(search.witness.begin(), search.witness.end());
@@ -153,13 +153,13 @@ struct Polyhedron::Impl {
   void construct(IntersectionParts& parts, Index first) {
     if (parts.rank() == 0) return;
     internal::Stopwatch stopwatch;
-    const SitesToInsert sites = sites_to_insert(parts, first, options);
+    const SitesToInsert sites = halfspaces::sites_to_insert(parts, first, options);
     order_seconds += stopwatch.seconds();
     stopwatch.restart();
     std::vector<Index> order = sites.order;
     if (!parts.cone) {
       parts.cone.emplace(parts.sites, parts.basis,
-                         internal::view_from_inside(parts.sites, parts.basis, parts.interior));
+                         halfspaces::view_from_inside(parts.sites, parts.basis, parts.interior));
       std::erase_if(order, [&](Index site) {
         return std::binary_search(parts.basis.begin(), parts.basis.end(), site);
       });
@@ -241,7 +241,7 @@ struct Polyhedron::Impl {
     const std::lock_guard lock(mutex);
     if (!data) {
       data = internal::guarded("the faces of the intersection", [&] {
-        return std::make_unique<const IntersectionData>(internal::intersection_arrays(*current));
+        return std::make_unique<const IntersectionData>(halfspaces::intersection_arrays(*current));
       });
     }
     return *data;
@@ -310,8 +310,8 @@ double Polyhedron::volume() const {
   how.time_limit = 0;
   return ConvexHull<>(found.vertices, dimension(), how).volume().value;
 }
-double Polyhedron::dual_volume() const { return internal::dual_measure(*impl_->current, true); }
-double Polyhedron::dual_area() const { return internal::dual_measure(*impl_->current, false); }
+double Polyhedron::dual_volume() const { return halfspaces::dual_measure(*impl_->current, true); }
+double Polyhedron::dual_area() const { return halfspaces::dual_measure(*impl_->current, false); }
 
 std::size_t Polyhedron::num_cells() const {
   return impl_->current->cone ? impl_->current->cone->make_hull().num_cells() : 0;

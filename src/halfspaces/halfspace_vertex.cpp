@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace delone::internal {
+namespace delone::halfspaces {
 namespace {
 
 void find_exactly(std::span<const double* const> rows, std::span<const int> columns, double* result) {
@@ -126,4 +126,4 @@ std::vector<double> lineality_basis(std::span<const double* const> rows, std::sp
   return basis;
 }
 
-}  // namespace delone::internal
+}  // namespace delone::halfspaces

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::halfspaces {
 
 /// Solves n_i·x + c_i = 0, i < k, for k homogeneous rows, where the first k of the given columns are n_i and
 /// the last is c_i. Each coordinate is the nearest double, ties to even, ±infinity beyond the range of
@@ -35,4 +35,4 @@ std::vector<double> unit_vector(std::span<const kernel::Integer> entries, std::s
 std::vector<double> lineality_basis(std::span<const double* const> rows, std::span<const int> axes,
                                     std::size_t d);
 
-}  // namespace delone::internal
+}  // namespace delone::halfspaces

@@ -10,7 +10,7 @@
 #include <optional>
 #include <utility>
 
-namespace delone::internal {
+namespace delone::halfspaces {
 namespace {
 
 /// The program in the d+1 variables (x, t). Constraints are numbered: the given rows, then t ≤ T, then x_j =
@@ -116,7 +116,7 @@ class InteriorProgram {
       // The violation is n·x + c + w·t, measured in units of w. Each coordinate of the point is off by one
       // rounding or, below the normal numbers, by half of the smallest double, times its factor. Products and
       // sums are rounded. If the bound overflows, nothing is certain.
-      cancellation_point();
+      internal::cancellation_point();
       const double* r = row(i);
       const double weight = std::ldexp(1.0, weight_exponent_[i]);
       double sum = r[d_] + weight * rounded_[d_],
@@ -211,7 +211,7 @@ InteriorSearch find_interior_point(std::span<const double> halfspaces, int dimen
   InteriorPoint& p = result.point;
   for (std::size_t j = 0; j < d; ++j)
     p.rounded[j] = kernel::nearest_double(found.numerators[j], found.denominator, 0);
-  StageCounts uncounted;
+  internal::StageCounts uncounted;
   const bool rounding_stays_inside =
       std::all_of(p.rounded.begin(), p.rounded.end(), [](double x) { return std::isfinite(x); }) &&
       std::all_of(rows.begin(), rows.end(), [&](std::size_t r) {
@@ -224,4 +224,4 @@ InteriorSearch find_interior_point(std::span<const double> halfspaces, int dimen
   return result;
 }
 
-}  // namespace delone::internal
+}  // namespace delone::halfspaces

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::halfspaces {
 
 struct InteriorSearch {
   IntersectionState state = IntersectionState::full;
@@ -33,4 +33,4 @@ struct InteriorSearch {
 InteriorSearch find_interior_point(std::span<const double> halfspaces, int dimension,
                                    std::span<const std::size_t> rows);
 
-}  // namespace delone::internal
+}  // namespace delone::halfspaces

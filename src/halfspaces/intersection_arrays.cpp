@@ -22,7 +22,7 @@
 #include <numeric>
 #include <utility>
 
-namespace delone::internal {
+namespace delone::halfspaces {
 namespace {
 
 class ArrayMaker {
@@ -68,8 +68,8 @@ class ArrayMaker {
 
  private:
   void merge_cells() {
-    faces_ = find_faces(hull_, sites_.size(), parts_.cone->coplanar_neighbors(hull_));
-    sites_of_facet_ = find_facet_sites(hull_, faces_);
+    faces_ = hull::find_faces(hull_, sites_.size(), parts_.cone->coplanar_neighbors(hull_));
+    sites_of_facet_ = hull::find_facet_sites(hull_, faces_);
     const std::size_t num_facets = faces_.num_facets();
     cell_of_facet_.assign(num_facets, 0);
     is_at_infinity_.assign(num_facets, 0);
@@ -101,7 +101,7 @@ class ArrayMaker {
   bool touches(Index site, Index start) const {
     std::vector<Index> seen{start};
     for (std::size_t next = 0; next < seen.size(); ++next) {
-      cancellation_point();
+      internal::cancellation_point();
       if (!is_at_infinity_[faces_.facet_of_cell[seen[next]]]) return true;
       for (const Index across : hull_.neighbors_of(seen[next]))
         if (std::find(seen.begin(), seen.end(), across) == seen.end() &&
@@ -117,7 +117,7 @@ class ArrayMaker {
     number_.resize(num_facets);
     std::vector<const double*> rows, rows_of_vertices;
     for (std::size_t f = 0; f < num_facets; ++f) {
-      cancellation_point();
+      internal::cancellation_point();
       auto& offsets = is_at_infinity_[f] ? data_.direction_offsets : data_.vertex_offsets;
       auto& halfspaces = is_at_infinity_[f] ? data_.direction_halfspaces : data_.vertex_halfspaces;
       number_[f] = static_cast<SignedIndex>(offsets.size()) - 1;
@@ -152,7 +152,7 @@ class ArrayMaker {
   }
 
   void make_edges() {
-    const std::vector<Index> neighbors = neighboring_facets(hull_, faces_);
+    const std::vector<Index> neighbors = hull::neighboring_facets(hull_, faces_);
     for (std::size_t r = 0; r < neighbors.size(); r += 2) {
       Index a = neighbors[r], b = neighbors[r + 1];
       if (is_at_infinity_[a] && is_at_infinity_[b]) continue;
@@ -174,12 +174,12 @@ class ArrayMaker {
     for (Index site = 1; site < sites_.size(); ++site)
       if (faces_.is_extreme[site]) order.emplace_back(parts_.row_of_site(site), site);
     std::sort(order.begin(), order.end());
-    const Lists around = k_ == 3 ? Lists{} : facets_around_sites();
+    const hull::Lists around = k_ == 3 ? hull::Lists{} : facets_around_sites();
     std::vector<Index> cell_with(sites_.size(), invalid_index);
     for (std::size_t c = 0; c < hull_.num_cells(); ++c)
       for (const Index site : hull_.cell(c)) cell_with[site] = static_cast<Index>(c);
     for (const auto& [row, site] : order) {
-      cancellation_point();
+      internal::cancellation_point();
       data_.facet_halfspaces.push_back(row);
       for (const Index f : k_ == 3 ? in_cycle(site, cell_with[site]) : around[site])
         (is_at_infinity_[f] ? data_.facet_directions : data_.facet_vertices).push_back(number_[f]);
@@ -188,8 +188,8 @@ class ArrayMaker {
     }
   }
 
-  Lists facets_around_sites() const {
-    Lists around;
+  hull::Lists facets_around_sites() const {
+    hull::Lists around;
     around.offsets.assign(sites_.size() + 1, 0);
     for (const Index site : sites_of_facet_.items) ++around.offsets[site + std::size_t{1}];
     std::partial_sum(around.offsets.begin(), around.offsets.end(), around.offsets.begin());
@@ -241,7 +241,7 @@ class ArrayMaker {
     data_.dual_points.reserve(parts_.sites.num_rows() * d_);
     data_.dual_equations.reserve(data_.num_vertices() * (d_ + 1));
     for (std::size_t r = 0; r < parts_.sites.num_rows(); ++r) {
-      cancellation_point();
+      internal::cancellation_point();
       const Index site = parts_.sites.site_of_row(r);
       std::fill(dual.begin(), dual.end(), 0.0);
       if (site != invalid_index && k_ == d_)
@@ -268,12 +268,12 @@ class ArrayMaker {
   }
 
   const IntersectionParts& parts_;
-  const BoundarySites& sites_;
+  const sites::BoundarySites& sites_;
   std::size_t d_, k_;
   std::vector<int> axes_;
   SimplicialHull hull_;
-  PolytopeFaces faces_;
-  Lists sites_of_facet_;
+  hull::PolytopeFaces faces_;
+  hull::Lists sites_of_facet_;
   std::vector<Index> cell_of_facet_, inner_sites_, cycle_;
   std::vector<char> is_at_infinity_;
   std::vector<SignedIndex> number_;
@@ -318,7 +318,7 @@ void IntersectionParts::add_duals(Index first) {
 bool is_strictly_inside(const double* row, const InteriorPoint& p) {
   const std::size_t d = p.rounded.size();
   if (p.is_exact()) {
-    StageCounts uncounted;
+    internal::StageCounts uncounted;
     return kernel::side_of_hyperplane(row, p.rounded.data(), static_cast<int>(d), uncounted) ==
            Sign::negative;
   }
@@ -336,10 +336,10 @@ double dual_measure(const IntersectionParts& parts, bool volume) {
     return std::numeric_limits<double>::quiet_NaN();
   const SimplicialHull hull = parts.cone->make_hull();
   if (d == 1 && !volume) return 2;
-  MeasureSum sum;
+  hull::MeasureSum sum;
   std::vector<const double*> simplex;
   for (std::size_t c = 0; c < hull.num_cells(); ++c) {
-    cancellation_point();
+    internal::cancellation_point();
     const auto cell = hull.cell(c);
     simplex.clear();
     if (volume) {
@@ -347,9 +347,9 @@ double dual_measure(const IntersectionParts& parts, bool volume) {
       simplex.push_back(parts.sites.dual(hull.cells[0]));
     }
     for (const Index site : cell) simplex.push_back(parts.sites.dual(site));
-    sum.add(simplex_volume(simplex, static_cast<int>(d)));
+    sum.add(hull::simplex_volume(simplex, static_cast<int>(d)));
   }
   return sum.result().value;
 }
 
-}  // namespace delone::internal
+}  // namespace delone::halfspaces

@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::halfspaces {
 
 /// The rows as sites, an interior point, and the cone of the sites. Rows on one ray share a site; site 0 is
 /// the row at infinity.
@@ -35,7 +35,7 @@ struct IntersectionParts {
   InteriorPoint interior;
   IntersectionState state = IntersectionState::full;
   std::vector<SignedIndex> witness;
-  std::optional<Boundary> cone;  // empty while the rank is 0
+  std::optional<hull::Boundary> cone;  // empty while the rank is 0
 };
 
 /// Whether n·p + c < 0. Exact.
@@ -47,4 +47,4 @@ IntersectionData intersection_arrays(const IntersectionParts& parts);
 /// The volume of the hull of the rounded dual points, or the area of its boundary; NaN for k < d.
 double dual_measure(const IntersectionParts& parts, bool volume);
 
-}  // namespace delone::internal
+}  // namespace delone::halfspaces

@@ -13,8 +13,10 @@
 #include "solve/linear_system-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace delone::internal {
+namespace delone::halfspaces {
 namespace HWY_NAMESPACE {
+
+using namespace solve::HWY_NAMESPACE;
 
 /// Zero, or so moderate that nothing underflows.
 template <class T>
@@ -70,7 +72,7 @@ HWY_INLINE Mask<T> find_point(std::size_t size, Entry entry, T* point) {
       (j < n ? system.a[i * n + j] : system.b[i]) = j < n ? scaled : minus(scaled);
     }
   }
-  certain = both(certain, system.solve(infinity, 0x1p200));
+  certain = both(certain, system.solve(internal::infinity, 0x1p200));
   if constexpr (is_one_lane<T>)
     if (!certain) return false;
   for (std::size_t j = 0; j < n; ++j) system.x[j] = select(is_moderate(system.x[j]), system.x[j], zero);
@@ -117,11 +119,11 @@ void find_meeting_points_here(std::size_t n, const double* rows, double* points,
 }
 
 }  // namespace HWY_NAMESPACE
-}  // namespace delone::internal
+}  // namespace delone::halfspaces
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace delone::internal {
+namespace delone::halfspaces {
 
 HWY_EXPORT(find_meeting_points_here);
 
@@ -131,9 +133,9 @@ void find_meeting_points_in_lanes(std::size_t n, const double* rows, double* poi
 
 bool find_meeting_point(std::span<const double* const> rows, std::span<const int> columns, double* point) {
   const auto entry = [&](std::size_t i, std::size_t j) { return rows[i][columns[j]]; };
-  return with_compiled_dimension<1, most_meeting_lanes>(
+  return internal::with_compiled_dimension<1, most_meeting_lanes>(
       rows.size(), [&](auto n) { return HWY_NAMESPACE::find_point<double, n()>(rows.size(), entry, point); });
 }
 
-}  // namespace delone::internal
+}  // namespace delone::halfspaces
 #endif

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <span>
 
-namespace delone::internal {
+namespace delone::halfspaces {
 
 /// The number of points per call.
 inline constexpr std::size_t meeting_block = 32;
@@ -22,4 +22,4 @@ void find_meeting_points_in_lanes(std::size_t n, const double* rows, double* poi
 /// Of one system; false if it is not settled.
 bool find_meeting_point(std::span<const double* const> rows, std::span<const int> columns, double* point);
 
-}  // namespace delone::internal
+}  // namespace delone::halfspaces

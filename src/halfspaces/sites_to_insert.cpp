@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace delone::internal {
+namespace delone::halfspaces {
 
 SitesToInsert sites_to_insert(const IntersectionParts& parts, Index first, const Options& options) {
   constexpr std::size_t least_sieved = 2048;
@@ -27,7 +27,7 @@ SitesToInsert sites_to_insert(const IntersectionParts& parts, Index first, const
     }
   }
   SitesToInsert sites;
-  PointSieve sieve(duals, parts.rank(), relative_error, options.threads);
+  hull::PointSieve sieve(duals, parts.rank(), relative_error, options.threads);
   if (are_finite && !parts.cone && k > 1 && count >= least_sieved &&
       options.order == InsertionOrder::automatic)
     sieve.run();
@@ -42,4 +42,4 @@ SitesToInsert sites_to_insert(const IntersectionParts& parts, Index first, const
   return sites;
 }
 
-}  // namespace delone::internal
+}  // namespace delone::halfspaces

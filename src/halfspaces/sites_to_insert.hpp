@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::halfspaces {
 
 struct SitesToInsert {
   std::vector<Index> order;
@@ -24,4 +24,4 @@ struct SitesToInsert {
 /// (hull/point_sieve.hpp), as what they are, rounded. REQUIRES a rank of at least 1.
 SitesToInsert sites_to_insert(const IntersectionParts& parts, Index first, const Options& options);
 
-}  // namespace delone::internal
+}  // namespace delone::halfspaces

@@ -8,7 +8,9 @@
 #include <array>
 #include <limits>
 
-namespace delone::internal {
+namespace delone::hull {
+
+using compiled::Insertion;
 
 Boundary::Boundary(const BoundarySites& sites, const std::vector<Index>& simplex, CentralView view)
     : sites_(sites), view_(std::move(view)), is_surely_interior_(sites.size(), 0) {
@@ -24,7 +26,7 @@ Boundary::Boundary(const BoundarySites& sites, const std::vector<Index>& simplex
   for (std::size_t r = 0; r < k; ++r) view_.low.push_back(sites.image(simplex[0], r));
   view_.high = view_.low;
   for (Index site = 0; site < sites.size(); ++site) grow_box(site, 0);
-  engine_ = make_boundary_engine(sites, view_, simplex);
+  engine_ = compiled::make_boundary_engine(sites, view_, simplex);
 }
 
 Boundary::Boundary(const BoundarySites& sites, const Boundary& other)
@@ -76,7 +78,7 @@ void Boundary::include_sites(Index first) {
 
 Sign Boundary::side_of_end(std::size_t c, Index site) const {
   const double* const end = sites_.point(now_.ends[c]);
-  StageCounts uncounted;
+  internal::StageCounts uncounted;
   const Sign sign = kernel::hull_side<0>(sites_.flat(), &end, sites_.point(site), sites_.grid, uncounted);
   return (c == 0) == sites_.is_homogeneous() ? sign : -sign;
 }
@@ -165,7 +167,7 @@ void Boundary::prepare_for_threads(std::span<const Index> order) {
 
 void Boundary::find_interior(std::span<const Index> sites, unsigned threads) {
   std::vector<char> is_interior(sites.size(), 0);
-  if (engine_) find_surely_interior(*engine_, sites, is_interior, threads);
+  if (engine_) compiled::find_surely_interior(*engine_, sites, is_interior, threads);
   for (std::size_t i = 0; i < sites.size(); ++i) is_surely_interior_[sites[i]] = is_interior[i];
 }
 
@@ -175,7 +177,7 @@ bool Boundary::are_many_interior(std::span<const Index> sites) const {
   std::array<char, sample.size()> is_interior;
   if (!engine_ || sites.size() < 2 * sample.size()) return false;
   for (std::size_t i = 0; i < sample.size(); ++i) sample[i] = sites[i * (sites.size() / sample.size())];
-  find_surely_interior(*engine_, sample, is_interior, 1);
+  compiled::find_surely_interior(*engine_, sample, is_interior, 1);
   return std::count(is_interior.begin(), is_interior.end(), 1) >= std::ptrdiff_t{sample.size() / 4};
 }
 
@@ -201,7 +203,7 @@ void Boundary::undo_batch() noexcept {
   if (engine_) engine_->undo_batch();
   ids_tell_of_timing_ = is_in_batch_ = false;  // as when it began
   is_surely_interior_.resize(num_sites_before_);
-  shrink_large(is_surely_interior_);
+  internal::shrink_large(is_surely_interior_);
   now_ = before_;
   now_.hull_is_current = false;  // it may have been made for the batch
 }
@@ -216,12 +218,12 @@ void Boundary::sort_cells() const {
 
 std::size_t Boundary::bytes() const {
   const std::lock_guard lock(mutex_);
-  return engine_ ? bytes_of(*engine_) : sizeof(now_.ends);
+  return engine_ ? compiled::bytes_of(*engine_) : sizeof(now_.ends);
 }
 
 SimplicialHull Boundary::hull_of_sorted_cells() const {
   sort_cells();
-  if (engine_) return simplicial_hull_of(*engine_);
+  if (engine_) return compiled::simplicial_hull_of(*engine_);
   return SimplicialHull{1, {now_.ends[0], now_.ends[1]}, {1, 0}, {}};
 }
 
@@ -240,7 +242,7 @@ const SimplicialHull& Boundary::hull() const {
 
 std::vector<std::pair<Index, Index>> Boundary::coplanar_neighbors(const SimplicialHull& hull) const {
   if (!engine_) return {};
-  return internal::coplanar_neighbors(*engine_, hull);
+  return compiled::coplanar_neighbors(*engine_, hull);
 }
 
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -15,7 +15,12 @@
 #include <utility>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
+
+using compiled::Insertion;
+using compiled::SimplicialHull;
+using geometry::CentralView;
+using sites::BoundarySites;
 
 class Boundary {
  public:
@@ -80,11 +85,13 @@ class Boundary {
   Sign side_of_end(std::size_t c, Index site) const;
 
   /// None for k = 1.
-  const BoundaryEngine* engine() const { return engine_.get(); }
+  const compiled::BoundaryEngine* engine() const { return engine_.get(); }
   /// A point strictly inside, on the axes, if `has_center()`.
   const std::vector<double>& center() const { return view_.center; }
   bool has_center() const { return view_.is_inside; }
-  const engine::Effort& effort() const { return engine_ ? effort_of(*engine_) : now_.effort_of_ends; }
+  const engine::Effort& effort() const {
+    return engine_ ? compiled::effort_of(*engine_) : now_.effort_of_ends;
+  }
   std::uint64_t insertions() const { return now_.insertions; }
   std::size_t bytes() const;
 
@@ -108,8 +115,8 @@ class Boundary {
 
   const BoundarySites& sites_;
   CentralView view_;
-  std::unique_ptr<BoundaryEngine> engine_;  // none for k = 1
-  std::vector<char> is_surely_interior_;    // by site
+  std::unique_ptr<compiled::BoundaryEngine> engine_;  // none for k = 1
+  std::vector<char> is_surely_interior_;              // by site
   mutable Progress now_;
   Progress before_;
   std::size_t num_sites_before_ = 0;  // the batch
@@ -124,4 +131,4 @@ class Boundary {
   mutable SimplicialHull hull_;              // if now_.hull_is_current
 };
 
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -20,7 +20,7 @@
 #include <numeric>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 using Points = std::span<const double* const>;
@@ -162,4 +162,4 @@ double height_above_cell(Points points, std::span<const unsigned char> on_face, 
   return exact.magnitude_exceeds(tolerance) ? signed_by(std::fabs(exact.nearest())) : 0.0;
 }
 
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -10,7 +10,7 @@
 
 #include <span>
 
-namespace delone::internal {
+namespace delone::hull {
 
 /// The height over the composition of q of the plane through the points of a cell, less that of q; exactly.
 class HeightOfPlane {
@@ -45,4 +45,4 @@ double height_over_cell(std::span<const double* const> points, std::span<const u
 double height_above_cell(std::span<const double* const> points, std::span<const unsigned char> on_face,
                          const double* q, int width, Sign sign, double tolerance);
 
-}  // namespace delone::internal
+}  // namespace delone::hull

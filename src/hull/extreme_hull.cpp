@@ -12,7 +12,7 @@
 #include <numeric>
 #include <utility>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 /// A shell and the points that may be beyond it.
@@ -157,7 +157,7 @@ class Refinement {
 
   /// All points that are beyond a facet, where that needs exact arithmetic.
   std::vector<std::size_t> exactly_beyond() const {
-    return with_compiled_dimension(ambient(), [&](auto d) { return exactly_beyond<d()>(); });
+    return internal::with_compiled_dimension(ambient(), [&](auto d) { return exactly_beyond<d()>(); });
   }
   template <int D>
   std::vector<std::size_t> exactly_beyond() const {
@@ -167,7 +167,7 @@ class Refinement {
     std::vector<std::size_t> beyond;
     kernel::Grid grid = sites.grid;
     for (std::size_t i = 0; i < sieve_.num_remaining(); ++i) grid.include(point(i).data());
-    StageCounts uncounted;
+    internal::StageCounts uncounted;
     const auto is_beyond = [&](const Facet& facet, std::size_t i) {
       if (value(facet.cell, i) < planes_.low[facet.cell]) return false;
       const double* x = point(i).data();
@@ -258,4 +258,4 @@ ExtremeHull find_extreme_hull(std::span<const double> coordinates, int dimension
   return result;
 }
 
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 
 struct ExtremeHull {
   std::unique_ptr<HullState> state;
@@ -29,4 +29,4 @@ struct ExtremeHull {
 /// are inserted instead. Vertices of cells that turn out not to be extreme cost another hull without them.
 ExtremeHull find_extreme_hull(std::span<const double> coordinates, int dimension, const Options& options);
 
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -12,7 +12,8 @@
 #include <utility>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
+
 namespace {
 
 class Labels {
@@ -109,7 +110,7 @@ class Labels {
     label_[seed] = seed;
     std::vector<Index> facet{seed};
     for (std::size_t next = 0; next < facet.size(); ++next) {
-      cancellation_point();
+      internal::cancellation_point();
       for (const Index across : hull_.neighbors_of(facet[next]))
         if (label_[across] == invalid_index && is_near(across, seed) && !precedes(across, seed)) {
           label_[across] = seed;
@@ -149,4 +150,4 @@ PolytopeFaces label_facets(const BoundarySites& sites, const SimplicialHull& hul
   return faces;
 }
 
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -5,7 +5,7 @@
 #include "compiled/simplicial_hull.hpp"
 #include "hull/hull_faces.hpp"
 
-namespace delone::internal {
+namespace delone::hull {
 
 /// Joins cells into facets. The largest cell that has no facet yet begins one, as its *seed*; the facet grows
 /// across ridges to cells that have none, while all their vertices are within the tolerance of the plane of
@@ -14,6 +14,6 @@ namespace delone::internal {
 /// seed's plane, and the facets are a function of the set of cells. All sites of cells are extreme. Facets
 /// are numbered in the order of their first cells. Cost: one normal per cell, a test per ridge, and more
 /// where cells are joined.
-PolytopeFaces label_facets(const BoundarySites& sites, const SimplicialHull& hull, double tolerance);
+PolytopeFaces label_facets(const sites::BoundarySites& sites, const SimplicialHull& hull, double tolerance);
 
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <utility>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 using kernel::Integer;
@@ -154,4 +154,4 @@ bool NearFlat::contains(const double* q) {
   return is_near_flat(points_, q, dimension_, tolerance_);
 }
 
-}  // namespace delone::internal
+}  // namespace delone::hull

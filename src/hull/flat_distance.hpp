@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 
 /// Whether q is at most `tolerance` away from the flat through affinely independent points of R^dimension,
 /// decided with integers. REQUIRES a finite tolerance ≥ 0. For dependent points the answer is false.
@@ -58,4 +58,4 @@ class NearFlat {
   bool is_known_ = false, has_precise_ = false;
 };
 
-}  // namespace delone::internal
+}  // namespace delone::hull

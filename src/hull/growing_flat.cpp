@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-namespace delone::internal {
+namespace delone::hull {
 
 GrowingFlat::GrowingFlat(std::vector<const double*> points, int dimension)
     : points_(std::move(points)), d_(static_cast<std::size_t>(dimension)), basis_{points_[0]} {
@@ -75,4 +75,4 @@ void GrowingFlat::find_farthest() {
   }
 }
 
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 
 /// Begins with the first point, and grows by the farthest one, of several the first; found in binary64.
 class GrowingFlat {
@@ -30,4 +30,4 @@ class GrowingFlat {
   std::size_t farthest_ = 0;
 };
 
-}  // namespace delone::internal
+}  // namespace delone::hull

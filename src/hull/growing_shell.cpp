@@ -15,7 +15,8 @@
 #include <numeric>
 #include <utility>
 
-namespace delone::internal {
+namespace delone::hull {
+
 namespace {
 
 constexpr double unit = kernel::unit_roundoff;
@@ -151,7 +152,7 @@ double GrowingShell::walk(Cones& cones, const double* p) {
   constexpr int most_steps = 100;
   const double* const center = boundary().center().data();
   for (std::size_t j = 0; j < d_; ++j) difference_[j] = p[j] - center[j];
-  double best = infinity;
+  double best = internal::infinity;
   for (int step = 0; step < most_steps; ++step) {
     const double* const inverse = cones.inverse(cell_);
     std::size_t least = 0;
@@ -169,7 +170,7 @@ double GrowingShell::walk(Cones& cones, const double* p) {
     }
     // Flat cones lead nowhere in particular.
     const std::size_t across =
-        sum_ > -infinity && sum_ < infinity ? least : static_cast<std::size_t>(step) % d_;
+        sum_ > -internal::infinity && sum_ < internal::infinity ? least : static_cast<std::size_t>(step) % d_;
     cell_ = cones.hull().neighbors_of(cell_)[across];
   }
   return best;
@@ -179,7 +180,7 @@ double GrowingShell::walk(Cones& cones, const double* p) {
 void GrowingShell::cover() {
   cones_ = std::make_unique<Cones>(shell(), boundary().center().data());
   Cones& cones = *cones_;
-  const BoundaryEngine& engine = *boundary().engine();
+  const compiled::BoundaryEngine& engine = *boundary().engine();
   std::vector<Index> start(1);
   cells_.clear();
   cell_ = 0;
@@ -188,7 +189,7 @@ void GrowingShell::cover() {
     const double distance = walk(cones, point(i));
     if (distance <= tolerance_) {
       start[0] = cones.hull().slots[cell_];
-      if (sum_ < 1 - 0x1p-30 && descend(engine, point(i), start).second == Sign::positive) continue;
+      if (sum_ < 1 - 0x1p-30 && compiled::descend(engine, point(i), start).second == Sign::positive) continue;
       covered_.push_back(i);
     } else {
       open_[left++] = i;
@@ -207,12 +208,12 @@ bool GrowingShell::extend() {
   std::vector<double> heights;
   for (std::size_t f = 0; f < cells_.size(); ++f) {
     double* const normal = functions.normals.data() + f * d_;
-    const double threshold = hyperplane(*boundary().engine(), hull.slots[cells_[f]], normal);
+    const double threshold = compiled::hyperplane(*boundary().engine(), hull.slots[cells_[f]], normal);
     const double square = std::inner_product(normal, normal + d_, normal, 0.0);
     heights.push_back(1 + threshold + std::sqrt(square) * tolerance_);
-    if (heights.back() < infinity) continue;
+    if (heights.back() < internal::infinity) continue;
     std::fill_n(normal, d_, 0.0);
-    heights.back() = infinity;
+    heights.back() = internal::infinity;
   }
   std::vector<double> points;
   for (const std::size_t i : open_) points.insert(points.end(), point(i), point(i) + d_);
@@ -253,4 +254,4 @@ bool GrowingShell::cover_by_all() {
   return true;
 }
 
-}  // namespace delone::internal
+}  // namespace delone::hull

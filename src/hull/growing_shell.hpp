@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 
 /// Adds the farthest points beyond cells of the shell of a sieve, as in Quickhull (Barber, Dobkin, Huhdanpaa
 /// 1996, doi:10.1145/235815.235821), until every point is within the tolerance of the shell; that is proved
@@ -58,4 +58,4 @@ class GrowingShell {
   std::vector<double> difference_, weights_;
 };
 
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace delone::internal {
+namespace delone::hull {
 
 HullAnalysis::HullAnalysis(const HullState& state, const HullTolerance& tolerance, unsigned threads)
     : state_(state), tolerance_(tolerance), threads_(threads) {
@@ -66,7 +66,7 @@ std::vector<PointKind> HullAnalysis::find_kinds() const {
   for (const Index site : state_.hull().cells) is_corner[site] = 1;
   // The least box around the hull: what is not strictly inside of it is not in the interior.
   const auto d = static_cast<std::size_t>(sites.ambient);
-  std::vector<double> low(d, infinity), high(d, -infinity);
+  std::vector<double> low(d, internal::infinity), high(d, -internal::infinity);
   for (Index site = 0; site < sites.size(); ++site)
     for (std::size_t j = 0; j < d && is_corner[site]; ++j) {
       low[j] = std::min(low[j], sites.point(site)[j]);
@@ -80,7 +80,7 @@ std::vector<PointKind> HullAnalysis::find_kinds() const {
     });
   };
   const auto kind_of = [&](Index site) {
-    cancellation_point();
+    internal::cancellation_point();
     if (faces.is_extreme[site]) return PointKind::extreme;
     // Without a boundary there is one vertex; with a tolerance there may be other points within it.
     if (!locator_) return site == state_.basis()[0] ? PointKind::extreme : PointKind::boundary;
@@ -105,7 +105,7 @@ FacetEquations HullAnalysis::equations(HullMeasures* measures) const {
       sites, state_.hull(), faces().facet_of_cell, faces().num_facets(),
       [&](std::size_t c) {
         const auto is_inside = [&](Index site) {
-          return side_of_cell(sites, state_.hull(), c, sites.point(site), sites.grid, scratch) ==
+          return compiled::side_of_cell(sites, state_.hull(), c, sites.point(site), sites.grid, scratch) ==
                  Sign::positive;
         };
         return sites.point(*std::find_if(state_.basis().begin(), state_.basis().end(), is_inside));
@@ -153,4 +153,4 @@ HullData HullAnalysis::make_data() const {
   return data;
 }
 
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -16,7 +16,7 @@
 #include <optional>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 
 /// A value computed on first use, by one thread. If `make` throws, the next call tries again.
 template <class T>
@@ -78,4 +78,4 @@ class HullAnalysis {
   Lazy<HullData> data_;
 };
 
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -10,7 +10,8 @@
 #include <numeric>
 #include <utility>
 
-namespace delone::internal {
+namespace delone::hull {
+
 namespace {
 
 /// For each key 0 … num_keys−1, the distinct values paired with it, in increasing order.
@@ -59,7 +60,7 @@ void number_facets(const SimplicialHull& hull, std::span<const std::pair<Index, 
     std::iota(faces.cells_of_facet.offsets.begin(), faces.cells_of_facet.offsets.end(), std::size_t{0});
     return;
   }
-  UnionFind sets(m);
+  internal::UnionFind sets(m);
   for (const auto& [a, b] : coplanar) sets.unite(a, b);
   faces.facet_of_cell.resize(m);
   Index num_facets = 0;
@@ -81,7 +82,7 @@ void for_each_ridge(const SimplicialHull& hull, const PolytopeFaces& faces, Visi
   };
   std::vector<Side> sides;
   for (Index f = 0; hull.dimension > 1 && f < faces.num_facets(); ++f) {
-    cancellation_point();
+    internal::cancellation_point();
     sides.clear();
     for (const Index c : faces.cells_of_facet[f]) {
       const auto neighbors = hull.neighbors_of(c);
@@ -168,7 +169,7 @@ PolytopeFaces find_faces(const SimplicialHull& hull, std::size_t num_sites,
   const Lists sites_of_facet = grouped(std::move(facet_and_site), faces.num_facets());
   const Lists facets_of_site = grouped(std::move(site_and_facet), num_sites);
   for (std::size_t v = 0; v < num_sites; ++v) {
-    cancellation_point();
+    internal::cancellation_point();
     if (const auto facets = facets_of_site[v]; !facets.empty())
       faces.is_extreme[v] = !has_company(static_cast<Index>(v), sites_of_facet, facets);
   }
@@ -181,7 +182,7 @@ Lists find_facet_sites(const SimplicialHull& hull, const PolytopeFaces& faces) {
   lists.items.reserve(faces.num_facets() * hull.corners());
   std::vector<Index> sites;
   for (std::size_t f = 0; f < faces.num_facets(); ++f) {
-    cancellation_point();
+    internal::cancellation_point();
     sites.clear();
     for (const Index c : faces.cells_of_facet[f])
       for (const Index site : hull.cell(c))
@@ -269,7 +270,7 @@ std::vector<std::size_t> count_faces(const Lists& facets, int dimension) {
       numbers.push_back(number);
     };
     for (std::size_t f = 0; f < level.faces.size(); ++f) {
-      cancellation_point();
+      internal::cancellation_point();
       const auto face = level.faces[f];
       numbers.clear();
       if (face.size() == j + 1) {  // a simplex
@@ -318,4 +319,4 @@ std::vector<std::size_t> count_faces(const Lists& facets, int dimension) {
   return counts;
 }
 
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -12,7 +12,9 @@
 #include <utility>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
+
+using compiled::SimplicialHull;
 
 /// A sequence of lists, stored back to back.
 struct Lists {
@@ -72,4 +74,4 @@ std::vector<std::size_t> count_faces(const Lists& facets, int dimension);
 /// The vertices common to all given facets, in increasing order.
 std::vector<Index> common_vertices(const Lists& facets, std::span<const Index> which);
 
-}  // namespace delone::internal
+}  // namespace delone::hull

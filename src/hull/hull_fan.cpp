@@ -6,7 +6,11 @@
 
 #include <utility>
 
-namespace delone::internal {
+namespace delone::hull {
+
+using compiled::SimplicialHull;
+using geometry::CentralView;
+
 namespace {
 
 /// K is the dimension of the flat, or 0.
@@ -17,7 +21,7 @@ std::size_t walk(const BoundarySites& sites, const SimplicialHull& hull, const d
   std::vector<const double*> simplex(k + 1, center);
   const kernel::Flat flat = sites.flat();
   for (std::size_t c = start;;) {
-    cancellation_point();
+    internal::cancellation_point();
     for (std::size_t i = 0; i < k; ++i) simplex[i + 1] = sites.point(hull.cell(c)[i]);
     std::size_t out = k;
     for (std::size_t i = 0; i < k && out == k; ++i) {
@@ -59,8 +63,8 @@ std::size_t walk_cones(const BoundarySites& sites, const SimplicialHull& hull,
                        const kernel::Grid& grid) {
   kernel::Grid grid_of_all = grid;
   grid_of_all.include(center.data());
-  return with_compiled_dimension<1, 6>(
+  return internal::with_compiled_dimension<1, 6>(
       hull.corners(), [&](auto k) { return walk<k()>(sites, hull, center.data(), q, start, grid_of_all); });
 }
 
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -18,7 +18,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
+
+using sites::BoundarySites;
 
 /// Looks for a point near the mean of the sites `around` for which `is_inside(point, grid)` holds, where
 /// `grid` covers all sites and the point. Tries the mean rounded to a few bits first, which keeps
@@ -50,11 +52,11 @@ bool choose_interior_point(const BoundarySites& sites, const std::vector<Index>&
 }
 
 /// A view of points from strictly inside the simplex of some sites, if a double is. It has no box.
-CentralView view_from_inside(const BoundarySites& sites, const std::vector<Index>& simplex);
+geometry::CentralView view_from_inside(const BoundarySites& sites, const std::vector<Index>& simplex);
 
 /// A cell whose closed cone, seen from `center`, contains q. Exact. `grid` covers the sites and q.
-std::size_t walk_cones(const BoundarySites& sites, const SimplicialHull& hull,
+std::size_t walk_cones(const BoundarySites& sites, const compiled::SimplicialHull& hull,
                        const std::vector<double>& center, const double* q, std::size_t start,
                        const kernel::Grid& grid);
 
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -10,24 +10,25 @@
 #include <cmath>
 #include <unordered_set>
 
-namespace delone::internal {
+namespace delone::hull {
 
 Sign HullLocator::side(std::size_t cell, const double* q, const kernel::Grid& grid,
                        std::vector<const double*>& scratch) const {
-  cancellation_point();
-  if (const BoundaryEngine* const engine = boundary_.engine())
-    if (const Sign sign = certain_side(*engine, hull_.slots[cell], q); sign != Sign::zero) return sign;
-  if (hull_.dimension == 1) return side_of_cell(sites_, hull_, cell, q, grid, scratch);
+  internal::cancellation_point();
+  if (const compiled::BoundaryEngine* const engine = boundary_.engine())
+    if (const Sign sign = compiled::certain_side(*engine, hull_.slots[cell], q); sign != Sign::zero)
+      return sign;
+  if (hull_.dimension == 1) return compiled::side_of_cell(sites_, hull_, cell, q, grid, scratch);
   scratch.clear();
   for (const Index site : hull_.cell(cell)) scratch.push_back(sites_.point(site));
-  StageCounts uncounted;
-  return with_compiled_dimension<1, 6>(hull_.corners(), [&](auto k) {
+  internal::StageCounts uncounted;
+  return internal::with_compiled_dimension<1, 6>(hull_.corners(), [&](auto k) {
     return kernel::hull_side<k()>(sites_.flat(), scratch.data(), q, grid, uncounted);
   });
 }
 
 HullLocator::Result HullLocator::locate(const double* q, const kernel::Grid& grid) const {
-  cancellation_point();
+  internal::cancellation_point();
   if (!has_fan()) return search_all(q, grid);
   const auto [near, sign] = approach(q);
   if (sign == Sign::negative) return {near, sign};
@@ -70,7 +71,7 @@ HullLocator::Result HullLocator::approach(const double* q) const {
   const auto sample = static_cast<std::size_t>(std::sqrt(static_cast<double>(m)) / 4) + 1;
   std::vector<Index> candidates;
   for (std::size_t i = 0; i < sample; ++i) candidates.push_back(hull_.slots[i * (m / sample)]);
-  const auto [slot, sign] = descend(*boundary_.engine(), q, candidates);
+  const auto [slot, sign] = compiled::descend(*boundary_.engine(), q, candidates);
   const auto at = std::lower_bound(hull_.slots.begin(), hull_.slots.end(), slot);
   return {static_cast<std::size_t>(at - hull_.slots.begin()), sign};
 }
@@ -97,4 +98,4 @@ std::vector<Index> HullLocator::cells_on_side(std::size_t first, Sign wanted, co
   return cells;
 }
 
-}  // namespace delone::internal
+}  // namespace delone::hull

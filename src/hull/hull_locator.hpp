@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 
 class HullLocator {
  public:
@@ -53,4 +53,4 @@ class HullLocator {
   const SimplicialHull& hull_;
 };
 
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -14,7 +14,8 @@
 #include <limits>
 #include <utility>
 
-namespace delone::internal {
+namespace delone::hull {
+
 namespace {
 
 /// Vectors, one after the other: on the stack if they are few.
@@ -115,18 +116,20 @@ template <int D>
 HullMeasures measure(const BoundarySites& sites, const SimplicialHull& hull, unsigned threads) {
   constexpr std::size_t part = 8192;
   std::vector<Measuring> of_parts((hull.num_cells() + part - 1) / part, Measuring(sites, hull));
-  for_parts(threads, hull.num_cells(), part, [&](std::size_t first, std::size_t last, const StopPoint& stop) {
-    HullNormal<D> normal(hull.dimension);
-    Measuring measuring(sites, hull);
-    std::vector<const double*> points;
-    for (std::size_t c = first; c < last; ++c) {
-      stop();
-      gather(sites, hull.cell(c), points);
-      const bool is_known = measuring.needs_normals() && normal.compute(points.data(), sites.axes, false);
-      measuring.add(hull.cell(c), points, is_known ? &normal : nullptr);
-    }
-    of_parts[first / part].add(measuring);
-  });
+  internal::for_parts(threads, hull.num_cells(), part,
+                      [&](std::size_t first, std::size_t last, const internal::StopPoint& stop) {
+                        HullNormal<D> normal(hull.dimension);
+                        Measuring measuring(sites, hull);
+                        std::vector<const double*> points;
+                        for (std::size_t c = first; c < last; ++c) {
+                          stop();
+                          gather(sites, hull.cell(c), points);
+                          const bool is_known =
+                              measuring.needs_normals() && normal.compute(points.data(), sites.axes, false);
+                          measuring.add(hull.cell(c), points, is_known ? &normal : nullptr);
+                        }
+                        of_parts[first / part].add(measuring);
+                      });
   for (std::size_t p = 1; p < of_parts.size(); ++p) of_parts[0].add(of_parts[p]);
   return of_parts[0].result(hull);
 }
@@ -184,7 +187,7 @@ void fill_equations(const BoundarySites& sites, const SimplicialHull& hull,
   Measuring measuring(sites, hull);
   std::vector<const double*> points;
   for (std::size_t c = 0; c < hull.num_cells(); ++c) {
-    cancellation_point();
+    internal::cancellation_point();
     if (!seeds.empty() && seeds[facet_of_cell[c]] != c) continue;
     gather(sites, hull.cell(c), points);
     const bool is_known = k == d && normal.compute(points.data(), sites.axes, k == 1 && c == 0);
@@ -195,7 +198,7 @@ void fill_equations(const BoundarySites& sites, const SimplicialHull& hull,
     const double error =
         is_known
             ? 1.01 * (2 * normal.error() / normal.length() + static_cast<double>(k + 5) * 0x1p-53) * extent
-            : infinity;
+            : internal::infinity;
     double* const equation = result.equations.data() + facet_of_cell[c] * (d + 1);
     double& best = result.errors[facet_of_cell[c]];
     if (best >= 0 && error >= best) continue;  // another cell of the facet is better
@@ -230,7 +233,7 @@ void MeasureSum::add(const MeasureSum& other) {
 
 Measure MeasureSum::result() const {
   const double value = sum_.value();
-  if (!std::isfinite(value)) return {value, infinity};
+  if (!std::isfinite(value)) return {value, internal::infinity};
   // The rounding of the result, and the second-order terms of the sum for fewer than 2^40 terms.
   return {value, (1 + 0x1p-20) * error_ + 0x1p-52 * std::fabs(value) + 0x1p-64 * magnitude_ + 1e-320};
 }
@@ -247,7 +250,7 @@ Measure simplex_volume(std::span<const double* const> points, int ambient) {
       edges[i][r] = points[i + 1][r] - points[0][r];
       largest = std::max(largest, std::fabs(edges[i][r]));
     }
-    if (!std::isfinite(largest)) return {infinity, infinity};
+    if (!std::isfinite(largest)) return {internal::infinity, internal::infinity};
     if (largest == 0) return {0, 0};
     const int scale = std::ilogb(largest);
     double square = 0;
@@ -273,7 +276,8 @@ Measure simplex_volume(std::span<const double* const> points, int ambient) {
 
 HullMeasures measure_hull(const BoundarySites& sites, const SimplicialHull& hull, unsigned threads) {
   if (hull.num_cells() == 0) return {};
-  return with_compiled_dimension(hull.corners(), [&](auto k) { return measure<k()>(sites, hull, threads); });
+  return internal::with_compiled_dimension(hull.corners(),
+                                           [&](auto k) { return measure<k()>(sites, hull, threads); });
 }
 
 FacetEquations facet_equations(const BoundarySites& sites, const SimplicialHull& hull,
@@ -284,10 +288,10 @@ FacetEquations facet_equations(const BoundarySites& sites, const SimplicialHull&
                         std::vector<double>(num_facets, -1)};
   if (measures != nullptr) *measures = {};
   if (num_facets > 0)
-    with_compiled_dimension(hull.corners(), [&](auto k) {
+    internal::with_compiled_dimension(hull.corners(), [&](auto k) {
       fill_equations<k()>(sites, hull, facet_of_cell, inner, seeds, measures, result);
     });
   return result;
 }
 
-}  // namespace delone::internal
+}  // namespace delone::hull

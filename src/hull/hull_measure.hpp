@@ -12,7 +12,10 @@
 #include <span>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
+
+using compiled::SimplicialHull;
+using sites::BoundarySites;
 
 /// The sum of measures and of their errors, compensated.
 class MeasureSum {
@@ -23,7 +26,7 @@ class MeasureSum {
   Measure result() const;
 
  private:
-  CompensatedSum sum_;
+  internal::CompensatedSum sum_;
   double error_ = 0, magnitude_ = 0;
 };
 
@@ -59,4 +62,4 @@ FacetEquations facet_equations(const BoundarySites& sites, const SimplicialHull&
                                const std::function<const double*(std::size_t)>& inner,
                                std::span<const Index> seeds = {}, HullMeasures* measures = nullptr);
 
-}  // namespace delone::internal
+}  // namespace delone::hull

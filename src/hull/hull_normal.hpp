@@ -23,7 +23,9 @@
 #include <span>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
+
+using sites::BoundarySites;
 
 /// D is k, or 0 for k chosen at run time.
 template <int D>
@@ -186,4 +188,4 @@ class HullNormals {
   std::vector<const double*> points_;
 };
 
-}  // namespace delone::internal
+}  // namespace delone::hull

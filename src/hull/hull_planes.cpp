@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace delone::internal {
+namespace delone::hull {
 
 /// Let o be the centre and w the reach of the box, b a vertex of the cell, n the computed normal and N an
 /// exact one with |N − n| ≤ e. For x in the box
@@ -15,8 +15,8 @@ namespace delone::internal {
 /// of a product, at most k − 1 of sums. So is n·(b − o). The last term is at most 2e·Σw_j. Changing each x_j
 /// by 2·error_j changes N·x by at most 2·Σ(|n_j| + e)·error_j. The slack covers
 /// the rounding of M, of the thresholds (their terms are at most M), and products that underflow.
-HullPlanes hull_planes(const BoundarySites& sites, const SimplicialHull& hull, std::span<const Index> cells,
-                       const CenteredBox& box) {
+HullPlanes hull_planes(const BoundarySites& sites, const compiled::SimplicialHull& hull,
+                       std::span<const Index> cells, const CenteredBox& box) {
   const std::size_t d = box.center.size();
   HullPlanes planes;
   planes.functions.origin = box.center;
@@ -27,9 +27,9 @@ HullPlanes hull_planes(const BoundarySites& sites, const SimplicialHull& hull, s
     const auto cell = hull.cell(cells[i]);
     normals.compute(sites, cell, false, record.data());
     double* const normal = planes.functions.normals.data() + i * d;
-    if (!(record[d] < infinity)) {
-      planes.low.push_back(-infinity);
-      planes.high.push_back(infinity);
+    if (!(record[d] < internal::infinity)) {
+      planes.low.push_back(-internal::infinity);
+      planes.high.push_back(internal::infinity);
       continue;
     }
     const double* const base = sites.point(cell[0]);
@@ -50,4 +50,4 @@ HullPlanes hull_planes(const BoundarySites& sites, const SimplicialHull& hull, s
   return planes;
 }
 
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 
 /// A box by its centre and its half extents, rounded up. Its points may be rounded: then coordinate j of each
 /// is off by at most error[j]. Without errors they are exact.
@@ -32,7 +32,7 @@ struct HullPlanes {
 };
 
 /// The planes of some cells of a hull of full dimension, whose sites are in the box.
-HullPlanes hull_planes(const BoundarySites& sites, const SimplicialHull& hull, std::span<const Index> cells,
-                       const CenteredBox& box);
+HullPlanes hull_planes(const sites::BoundarySites& sites, const compiled::SimplicialHull& hull,
+                       std::span<const Index> cells, const CenteredBox& box);
 
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -13,7 +13,7 @@
 #include <chrono>
 #include <utility>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 const SimplicialHull no_cells{};
@@ -211,7 +211,7 @@ void HullState::insert_range(std::span<const double> coordinates, const Options&
   give_sieved_rows_sites();
   Rollback rollback(*this);
   const auto first_site = static_cast<Index>(sites_.size());
-  Stopwatch stopwatch;
+  internal::Stopwatch stopwatch;
   std::vector<Index> outermost;
   // With a tolerance an interior row may be outside of what is shown, and needs a site.
   if (first_site == 0 && ambient() > 1 && options.tolerance == 0 &&
@@ -245,7 +245,7 @@ void HullState::insert_range(std::span<const double> coordinates, const Options&
     for (Index site = raised ? 0 : first_site; site < sites_.size(); ++site)
       if (!is_done[site]) others.push_back(site);
     std::size_t done = 0;
-    ProgressMeter progress(options.progress, outermost.size() + others.size());
+    internal::ProgressMeter progress(options.progress, outermost.size() + others.size());
     const auto tick = [&](std::size_t inserted) { progress(done + inserted); };
     boundary_->insert_all(outermost, tick);
     done = outermost.size() + others.size();
@@ -284,7 +284,7 @@ HullInsertResult HullState::insert_in_flat(const double* point) {
   if (result.duplicate) return result;
   try {
     boundary_->include_sites(site);
-    result.inserted = boundary_->insert(site) == Insertion::vertex;
+    result.inserted = boundary_->insert(site) == compiled::Insertion::vertex;
   } catch (...) {
     sites_.rollback(before);
     throw;
@@ -326,4 +326,4 @@ Statistics HullState::statistics() const {
   return result;
 }
 
-}  // namespace delone::internal
+}  // namespace delone::hull

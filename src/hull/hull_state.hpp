@@ -18,7 +18,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 
 class HullState {
  public:
@@ -89,4 +89,4 @@ class HullState {
   Statistics earlier_;  // of builders that were given up, and the times
 };
 
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 
 /// Vertices of the engine are sites + 1.
 class InsertionPlaces {
@@ -28,4 +28,4 @@ class InsertionPlaces {
   Index last_ = 0;
 };
 
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 /// The minimum and maximum of a function, and the first sites that attain them.
@@ -21,7 +21,7 @@ struct Range {
 
 }  // namespace
 
-std::vector<Index> outermost_sites(const BoundarySites& sites, Index first) {
+std::vector<Index> outermost_sites(const sites::BoundarySites& sites, Index first) {
   const auto d = static_cast<std::size_t>(sites.ambient);
   std::vector<Range> ranges(d);
   for (Index site = first; site < sites.size(); ++site)
@@ -58,4 +58,4 @@ std::vector<Index> outermost_sites(const BoundarySites& sites, Index first) {
   return chosen;
 }
 
-}  // namespace delone::internal
+}  // namespace delone::hull

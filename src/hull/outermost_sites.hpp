@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 
 /// In higher dimensions the diagonals of a box are too many to be looked at.
 inline constexpr std::size_t most_axes_with_diagonals = 5;
@@ -19,6 +19,6 @@ inline constexpr std::size_t most_axes_with_diagonals = 5;
 /// most_axes_with_diagonals dimensions, along each diagonal of the bounding box; without repetition. In
 /// higher dimensions so few sites span little of the volume, and diagonals are not used. The choice affects
 /// speed only. O(n·2^d) for d ≤ 5, else O(n·d).
-std::vector<Index> outermost_sites(const BoundarySites& sites, Index first);
+std::vector<Index> outermost_sites(const sites::BoundarySites& sites, Index first);
 
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -12,7 +12,7 @@
 #include <functional>
 #include <numeric>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 /// Both directions of each axis.
@@ -71,7 +71,7 @@ std::vector<Index> PointSieve::remaining_rows() const {
 std::vector<std::size_t> PointSieve::extremes_among(std::span<const double> points, LinearFunctions functions,
                                                     bool tilted) const {
   if (tilted) tilt(functions, box_);
-  std::vector<Extreme> found(functions.size(), Extreme{-infinity, Extreme::nowhere});
+  std::vector<Extreme> found(functions.size(), Extreme{-internal::infinity, Extreme::nowhere});
   find_extremes(points, functions, found, threads_);
   std::vector<std::size_t> which;
   for (const Extreme& extreme : found) which.push_back(extreme.at);
@@ -81,7 +81,7 @@ std::vector<std::size_t> PointSieve::extremes_among(std::span<const double> poin
 /// False if the box is flat, or so large or small that reciprocals are not numbers.
 bool PointSieve::find_box(std::vector<std::size_t>& outermost) {
   const std::size_t d = ambient();
-  std::vector<Extreme> ends(2 * d, Extreme{-infinity, Extreme::nowhere});
+  std::vector<Extreme> ends(2 * d, Extreme{-internal::infinity, Extreme::nowhere});
   find_extremes(points_, axis_directions(d), ends, threads_);  // exact
   for (std::size_t j = 0; j < d; ++j) {
     const double low = -ends[2 * j].value, high = ends[2 * j + 1].value;
@@ -181,7 +181,7 @@ void PointSieve::run() {
   constexpr std::size_t least_rows = 256, most_work = 1500;
   // What is inserted into shells is no part of what is done.
   const std::function<bool(double)> no_function;
-  const ProgressMeter meter(no_function, 1);
+  const internal::ProgressMeter meter(no_function, 1);
   std::vector<std::size_t> outermost;
   if (points_.empty() || !find_box(outermost)) return;
   if (!add_to_shell(outermost)) {
@@ -191,7 +191,7 @@ void PointSieve::run() {
     return;
   }
   for (;;) {
-    cancellation_point();
+    internal::cancellation_point();
     HullPlanes planes = planes_of_shell();
     if (!remove_interior(planes) || num_remaining() < least_rows || planes.low.size() * ambient() > most_work)
       return;
@@ -199,4 +199,4 @@ void PointSieve::run() {
   }
 }
 
-}  // namespace delone::internal
+}  // namespace delone::hull

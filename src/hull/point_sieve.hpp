@@ -16,7 +16,7 @@
 #include <unordered_set>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 
 class PointSieve {
  public:
@@ -79,4 +79,4 @@ class PointSieve {
   std::unordered_set<Index> chosen_;  // these rows
 };
 
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -16,7 +16,7 @@
 
 #ifndef DELONE_SIEVE_KERNEL
 #define DELONE_SIEVE_KERNEL
-namespace delone::internal {
+namespace delone::hull {
 
 /// Points per block.
 inline constexpr std::size_t sieve_block = 64;
@@ -29,11 +29,11 @@ struct SieveTask {
   std::span<char> is_below;
 };
 
-}  // namespace delone::internal
+}  // namespace delone::hull
 #endif
 
 HWY_BEFORE_NAMESPACE();
-namespace delone::internal {
+namespace delone::hull {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -184,11 +184,11 @@ void Extremes(const SieveTask& task) { dispatch<RunExtremes>(task); }
 void Below(const SieveTask& task) { dispatch<RunBelow>(task); }
 
 }  // namespace HWY_NAMESPACE
-}  // namespace delone::internal
+}  // namespace delone::hull
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace delone::internal {
+namespace delone::hull {
 
 HWY_EXPORT(Extremes);
 HWY_EXPORT(Below);
@@ -203,15 +203,16 @@ void find_extremes(std::span<const double> points, const LinearFunctions& functi
   const std::size_t d = functions.origin.size(), n = points.size() / std::max<std::size_t>(d, 1);
   if (n == 0) return;
   std::vector<Extreme> found((n + points_per_part - 1) / points_per_part * extremes.size());
-  for_parts(threads, n, points_per_part, [&](std::size_t first, std::size_t last, const StopPoint& stop) {
-    stop();
-    const std::span<Extreme> of_part(found.data() + first / points_per_part * extremes.size(),
-                                     extremes.size());
-    std::copy(extremes.begin(), extremes.end(), of_part.begin());
-    for (Extreme& extreme : of_part) extreme.at = Extreme::nowhere;
-    HWY_DYNAMIC_DISPATCH(Extremes)
-    ({points.subspan(first * d, (last - first) * d), functions, {}, of_part, {}});
-  });
+  internal::for_parts(threads, n, points_per_part,
+                      [&](std::size_t first, std::size_t last, const internal::StopPoint& stop) {
+                        stop();
+                        const std::span<Extreme> of_part(
+                            found.data() + first / points_per_part * extremes.size(), extremes.size());
+                        std::copy(extremes.begin(), extremes.end(), of_part.begin());
+                        for (Extreme& extreme : of_part) extreme.at = Extreme::nowhere;
+                        HWY_DYNAMIC_DISPATCH(Extremes)
+                        ({points.subspan(first * d, (last - first) * d), functions, {}, of_part, {}});
+                      });
   for (std::size_t i = 0; i < found.size(); ++i) {
     const Extreme& candidate = found[i];
     Extreme& extreme = extremes[i % extremes.size()];
@@ -223,16 +224,17 @@ void find_extremes(std::span<const double> points, const LinearFunctions& functi
 void find_below(std::span<const double> points, const LinearFunctions& functions,
                 std::span<const double> thresholds, std::span<char> is_below, unsigned threads) {
   const std::size_t d = functions.origin.size(), n = points.size() / std::max<std::size_t>(d, 1);
-  for_parts(threads, n, points_per_part, [&](std::size_t first, std::size_t last, const StopPoint& stop) {
-    stop();
-    HWY_DYNAMIC_DISPATCH(Below)
-    ({points.subspan(first * d, (last - first) * d),
-      functions,
-      thresholds,
-      {},
-      is_below.subspan(first, last - first)});
-  });
+  internal::for_parts(threads, n, points_per_part,
+                      [&](std::size_t first, std::size_t last, const internal::StopPoint& stop) {
+                        stop();
+                        HWY_DYNAMIC_DISPATCH(Below)
+                        ({points.subspan(first * d, (last - first) * d),
+                          functions,
+                          thresholds,
+                          {},
+                          is_below.subspan(first, last - first)});
+                      });
 }
 
-}  // namespace delone::internal
+}  // namespace delone::hull
 #endif

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 
 /// f_i(x) = Σ_j normals[i·d + j]·(x_j − origin_j). Computed with d rounded differences, and products and sums
 /// that are rounded at most as often as without fused operations. The result for a point depends on the point
@@ -40,4 +40,4 @@ void find_extremes(std::span<const double> points, const LinearFunctions& functi
 void find_below(std::span<const double> points, const LinearFunctions& functions,
                 std::span<const double> thresholds, std::span<char> is_below, unsigned threads = 1);
 
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace delone::internal {
+namespace delone::hull {
 
 SievedRows::SievedRows(const SievedRows& other)
     : coordinates_(other.coordinates_), dimension_(other.dimension_), rows_(other.rows_) {
@@ -37,7 +37,7 @@ const std::vector<Index>& SievedRows::first_rows() const {
   std::uint64_t tags[ahead] = {};
   const auto foresee = [&](std::size_t i) {
     if (i >= rows_.size()) return;
-    tags[i % ahead] = point_tag(point(rows_[i]), dimension_).low;
+    tags[i % ahead] = complex::point_tag(point(rows_[i]), dimension_).low;
     table.prefetch(tags[i % ahead]);
   };
   for (std::size_t i = 0; i < ahead; ++i) foresee(i);
@@ -60,4 +60,4 @@ std::size_t SievedRows::num_duplicates() const {
   return count;
 }
 
-}  // namespace delone::internal
+}  // namespace delone::hull

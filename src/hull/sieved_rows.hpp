@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 
 class SievedRows {
  public:
@@ -43,4 +43,4 @@ class SievedRows {
   mutable std::optional<std::vector<Index>> first_rows_;
 };
 
-}  // namespace delone::internal
+}  // namespace delone::hull

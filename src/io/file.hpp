@@ -54,7 +54,7 @@ class Bytes {
   std::string_view view() const { return {bytes_.data(), size_}; }
 
  private:
-  GrowableArray<char> bytes_{Pages::large};
+  internal::GrowableArray<char> bytes_{internal::Pages::large};
   std::size_t size_ = 0;
 };
 

@@ -16,7 +16,7 @@ constexpr double u = unit_roundoff, least = std::numeric_limits<double>::denorm_
 /// Above the length of the vector with these components, for any d ≥ 1.
 template <class Component>
 double length_above(std::size_t d, Component component) {
-  const double length = length_of(d, component);
+  const double length = internal::length_of(d, component);
   const double enlarged = length * (1 + 4 * static_cast<double>(d) * u);
   return length > 0 && length < std::numeric_limits<double>::min() ? enlarged + least : enlarged;
 }

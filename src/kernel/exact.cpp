@@ -22,6 +22,9 @@
 #include <vector>
 
 namespace delone::kernel {
+
+using internal::TwoWords;
+
 namespace {
 
 namespace mp = boost::multiprecision;
@@ -88,10 +91,10 @@ struct WideInteger {
   void add_product(std::uint64_t factor, const WideInteger& x, int shift, bool subtracts) {
     std::uint64_t high = 0, carry = 0;
     for (int i = 0; i + shift < Limbs; ++i) {
-      const TwoWords product = multiply_add(x.limbs[i], factor, high);
+      const TwoWords product = internal::multiply_add(x.limbs[i], factor, high);
       high = product.high;
-      const TwoWords sum = subtracts ? subtract(limbs[i + shift], product.low, carry)
-                                     : add(limbs[i + shift], product.low, carry);
+      const TwoWords sum = subtracts ? internal::subtract(limbs[i + shift], product.low, carry)
+                                     : internal::add(limbs[i + shift], product.low, carry);
       limbs[i + shift] = sum.low;
       carry = sum.high;
     }

@@ -12,12 +12,14 @@
 
 namespace delone::kernel {
 
+using internal::BuiltInUInt128;
+
 #if DELONE_HAS_INT128
 
-using Int128 = BuiltInInt128;
+using Int128 = internal::BuiltInInt128;
 
 /// |x|
-inline TwoWords magnitude(Int128 x) {
+inline internal::TwoWords magnitude(Int128 x) {
   const BuiltInUInt128 size = x < 0 ? -static_cast<BuiltInUInt128>(x) : static_cast<BuiltInUInt128>(x);
   return {static_cast<std::uint64_t>(size), static_cast<std::uint64_t>(size >> 64)};
 }
@@ -31,7 +33,7 @@ using Int128 = boost::multiprecision::number<
     boost::multiprecision::et_off>;
 
 /// |x|
-inline TwoWords magnitude(const Int128& x) {
+inline internal::TwoWords magnitude(const Int128& x) {
   const Int128 size = x < 0 ? Int128(-x) : x;
   return {static_cast<std::uint64_t>(size & ~std::uint64_t{0}), static_cast<std::uint64_t>(size >> 64)};
 }

@@ -47,7 +47,7 @@ Sign orientation(const Flat& flat, std::span<const double* const> points) {
 Sign in_sphere(const Flat& flat, std::span<const double* const> points, Sign orientation_of_points,
                const double* q) {
   if (flat.dimension() == 0 && !flat.weighted()) return Sign::positive;
-  StageCounts counts;
+  internal::StageCounts counts;
   const auto ordered = positively_oriented(points, orientation_of_points);
   return in_sphere<0>(flat, ordered.data(), q, grid_of(points, q, flat), counts);
 }
@@ -62,13 +62,13 @@ Sign in_sphere_perturbed(const Flat& flat, std::span<const double* const> points
 }
 
 Sign homogeneous_orientation(const Flat& flat, std::span<const double* const> rows) {
-  StageCounts counts;
+  internal::StageCounts counts;
   return homogeneous_orientation<0>(flat, rows.data(), counts);
 }
 
 Sign hull_side(const Flat& flat, std::span<const double* const> facet, const double* inner, const double* q) {
   const Grid grid = grid_of_hull(flat, facet, inner, q);
-  StageCounts counts;
+  internal::StageCounts counts;
   return hull_side<0>(flat, facet.data(), q, grid, counts) *
          hull_side<0>(flat, facet.data(), inner, grid, counts);
 }
@@ -78,7 +78,7 @@ Sign hull_side_perturbed(const Flat& flat, std::span<const double* const> facet,
   for (const double* row : facet)
     if (equal_rows(flat, row, q)) return Sign::zero;
   const Grid grid = grid_of_hull(flat, facet, inner, q);
-  StageCounts counts;
+  internal::StageCounts counts;
   const Sign side_of_inner = hull_side<0>(flat, facet.data(), inner, grid, counts);
   const Sign side = hull_side<0>(flat, facet.data(), q, grid, counts) * side_of_inner;
   return side != Sign::zero ? side
@@ -230,7 +230,7 @@ Sign homogeneous_orientation(std::span<const double> rows, int dimension) {
 Side side_of_hyperplane(std::span<const double> hyperplane, std::span<const double> p, int dimension) {
   const auto point = rows_of(p, dimension, 1);
   const auto row = rows_of(hyperplane, dimension + 1, 1);
-  StageCounts counts;
+  internal::StageCounts counts;
   return side_of(kernel::side_of_hyperplane(row[0], point[0], dimension, counts));
 }
 

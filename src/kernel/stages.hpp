@@ -18,6 +18,8 @@
 
 namespace delone::kernel {
 
+using internal::StageCounts;
+
 /// Whether two rows of `size` doubles are equal (−0 equals +0).
 inline bool equal_points(const double* p, const double* q, int size) {
   for (int j = 0; j < size; ++j)

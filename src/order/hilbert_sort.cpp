@@ -291,8 +291,8 @@ void sort_by_cubes(const Position& start, PointsView points, std::span<Index> ro
     for (std::size_t i = first; i < last; ++i) {
       constexpr std::size_t ahead = 32;
       const double* next = point(std::min(i + ahead, size - 1));
-      delone::prefetch(next);
-      delone::prefetch(next + D - 1);  // often in the next cache line
+      internal::prefetch(next);
+      internal::prefetch(next + D - 1);  // often in the next cache line
       for (std::size_t j = 0; j < D; ++j) {
         const double x = point(i)[j];
         memory[i * D + j] = std::bit_cast<std::uint64_t>(x);

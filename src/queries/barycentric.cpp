@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace delone::internal {
+namespace delone::queries {
 void barycentric(std::span<const double* const> points, std::span<const unsigned char> on_face,
                  std::span<const int> axes, const double* q, std::vector<double>& weights) {
   // If no coordinate is off by more than ε, the sum of all n+1 is off by at most (n+1)·ε, and their quotients
@@ -75,4 +75,4 @@ void gradients(std::span<const double* const> points, std::span<const double> va
   for (double& g : result) g = std::ldexp(g, exponent);
 }
 
-}  // namespace delone::internal
+}  // namespace delone::queries

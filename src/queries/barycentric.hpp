@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::queries {
 
 /// The largest error of any barycentric coordinate that users see; see LocatedPoint.
 inline constexpr double largest_weight_error = 0x1p-36;
@@ -23,4 +23,4 @@ void barycentric(std::span<const double* const> points, std::span<const unsigned
 void gradients(std::span<const double* const> points, std::span<const double> values, int columns,
                int dimension, std::vector<double>& result);
 
-}  // namespace delone::internal
+}  // namespace delone::queries

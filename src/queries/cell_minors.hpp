@@ -29,10 +29,10 @@
 #include <limits>
 #include <utility>
 
-namespace delone::internal {
+namespace delone::queries {
 
 /// Two doubles that are computed with together, for two queries at once.
-using TwoNumbers = Lanes<double, 2>;
+using TwoNumbers = internal::Lanes<double, 2>;
 
 /// T: double, or TwoNumbers for two queries, maybe in different cells.
 template <int K, class T = double>
@@ -53,12 +53,12 @@ class CellMinors {
         a_[j * K + c] = x;
         largest = larger(largest, larger(x, -x));
       }
-      least = select(least < largest, least, largest);
+      least = internal::select(least < largest, least, largest);
       most = larger(most, largest);
       bound *= largest;
     }
-    const T in_range = select(most <= T{} + 0x1p100, bound, infinite);
-    bound_ = select(least >= T{} + 0x1p-100, in_range, infinite);
+    const T in_range = internal::select(most <= T{} + 0x1p100, bound, infinite);
+    bound_ = internal::select(least >= T{} + 0x1p-100, in_range, infinite);
     minors_[0] = T{} + 1;
     [&]<unsigned... S>(std::integer_sequence<unsigned, S...>) { ((minors_[S + 1] = minor<S + 1>()), ...); }
     (std::make_integer_sequence<unsigned, (2u << K) - 2>{});
@@ -79,7 +79,7 @@ class CellMinors {
   static constexpr double factorial = K == 1 ? 1 : K == 2 ? 2 : K == 3 ? 6 : K == 4 ? 24 : K == 5 ? 120 : 720;
   static constexpr double slack = 1.01 * (K * (K + 3) / 2 - 1 + 3 * K) * kernel::unit_roundoff * factorial;
 
-  static T larger(T x, T y) { return select(x > y, x, y); }
+  static T larger(T x, T y) { return internal::select(x > y, x, y); }
 
   /// The minor of the rows in a bit set and of as many first columns.
   template <unsigned Rows>
@@ -105,4 +105,4 @@ class CellMinors {
   T bound_ = T{};
 };
 
-}  // namespace delone::internal
+}  // namespace delone::queries

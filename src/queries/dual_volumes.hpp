@@ -42,7 +42,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::queries {
 
 /// The sphere S: cells of k+1 increasing numbers of vertices, number 0 for q, with their orientations.
 struct ZoneSphere {
@@ -130,7 +130,7 @@ class DualVolumes {
   unsigned bits_ = 0;
   std::vector<std::vector<Product>> products_;  // by grade
   Level levels_[2];
-  StampedTable faces_, prefixes_;
+  internal::StampedTable faces_, prefixes_;
   std::vector<Number> scratch_;
 };
 
@@ -187,7 +187,7 @@ void DualVolumes<Number>::sum_boundary(const Level& upper, Level& lower) {
   faces_.clear();
   prefixes_.clear();
   for (std::size_t s = 0; s < upper.count(); ++s) {
-    cancellation_point();
+    internal::cancellation_point();
     const std::uint32_t* const vertices = upper.vertices.data() + s * upper.size;
     const Number* const value = upper.value.data() + s * upper.stride;
     const Number length = norm(value, upper.entries);
@@ -222,7 +222,7 @@ void DualVolumes<Number>::multiply(Level& level) {
   const std::size_t entries = products.size() / grade;
   const Number g(static_cast<int>(grade));
   for (std::size_t s = 0; s < level.count(); ++s) {
-    cancellation_point();
+    internal::cancellation_point();
     const Number* const x = x_ + level.cell[s] * d_;
     Number* const value = level.value.data() + s * level.stride;
     const Number m = norm(x, k_, [&](std::size_t j) { return static_cast<std::size_t>(axes_[j]); });
@@ -311,4 +311,4 @@ void DualVolumes<Number>::compute(const ZoneSphere& sphere, std::span<const int>
   for (std::size_t v = 0; v < sphere.num_vertices; ++v) errors[v] = bound(errors[v], terms[v] * parts[v]);
 }
 
-}  // namespace delone::internal
+}  // namespace delone::queries

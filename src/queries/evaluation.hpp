@@ -20,7 +20,7 @@
 #include <thread>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::queries {
 
 inline void require_size(std::size_t size, std::size_t wanted, const char* what) {
   if (size != wanted)
@@ -50,13 +50,13 @@ class Progress {
   bool is_wanted() const { return ask_ != nullptr; }
   void add(std::size_t steps) {
     done_.fetch_add(steps, std::memory_order_relaxed);
-    cancellation_point();
+    internal::cancellation_point();
   }
 
  private:
   std::atomic<std::size_t> done_ = 0;
   std::function<bool(double)> ask_;
-  ProgressMeter meter_;
+  internal::ProgressMeter meter_;
 };
 
 /// Counts the steps of one thread and tells of every 256 of them.
@@ -136,4 +136,4 @@ class OutsideAnswers {
   std::vector<double> coordinates_;
 };
 
-}  // namespace delone::internal
+}  // namespace delone::queries

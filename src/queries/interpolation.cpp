@@ -12,14 +12,14 @@
 
 namespace delone {
 
-using internal::Meter;
-using internal::require_size;
+using queries::Meter;
+using queries::require_size;
 
 LinearInterpolator::LinearInterpolator(const Triangulation& triangulation, std::span<const double> values,
                                        std::size_t columns)
     : triangulation_(triangulation), locator_(triangulation), columns_(columns) {
   require_size(values.size(), triangulation.num_rows() * columns, "values");
-  values_ = internal::by_vertex(triangulation, values, columns);
+  values_ = queries::by_vertex(triangulation, values, columns);
 }
 
 void LinearInterpolator::evaluate(std::span<const double> queries, std::span<double> result,
@@ -28,8 +28,8 @@ void LinearInterpolator::evaluate(std::span<const double> queries, std::span<dou
   require_size(result.size(), queries.size() / d * columns_, "the result");
   if (!options.fill.empty()) require_size(options.fill.size(), columns_, "the constants outside");
   const Complex complex = triangulation_.complex();
-  internal::Progress progress(options.progress);
-  internal::OutsideAnswers beyond(options, queries, d, columns_);
+  queries::Progress progress(options.progress);
+  queries::OutsideAnswers beyond(options, queries, d, columns_);
   const auto answer = [&](std::size_t query, const LocatedPoint& where) {
     double* const at = result.data() + query * columns_;
     if (where.barycentric.empty()) {
@@ -51,7 +51,7 @@ void LinearInterpolator::evaluate(std::span<const double> queries, std::span<dou
       answer(query, where);
     };
   };
-  locator_.impl_->locate(queries, internal::locate_options(options), {}, {.make = make_visit});
+  locator_.impl_->locate(queries, queries::locate_options(options), {}, {.make = make_visit});
   beyond.finish(locator_, values_, result, progress);
 }
 
@@ -61,8 +61,8 @@ void LinearInterpolator::gradients(std::span<const double> queries, std::span<do
   const std::size_t width = columns_ * d;
   require_size(result.size(), queries.size() / d * width, "the result");
   const Complex complex = triangulation_.complex();
-  internal::Progress progress(options.progress);
-  internal::OutsideAnswers beyond(options, queries, d, width);
+  queries::Progress progress(options.progress);
+  queries::OutsideAnswers beyond(options, queries, d, width);
   const auto make_visit = [&]() -> PointLocator::Visit {
     return [&, meter = Meter(progress), last = CellId{invalid_cell}, points = std::vector<const double*>(),
             values = std::vector<double>(),
@@ -82,12 +82,12 @@ void LinearInterpolator::gradients(std::span<const double> queries, std::span<do
           const double* const value = values_.data() + index(v) * columns_;
           values.insert(values.end(), value, value + columns_);
         }
-        internal::gradients(points, values, static_cast<int>(columns_), static_cast<int>(d), gradient);
+        queries::gradients(points, values, static_cast<int>(columns_), static_cast<int>(d), gradient);
       }
       std::copy(gradient.begin(), gradient.end(), at);
     };
   };
-  locator_.impl_->locate(queries, internal::locate_options(options), {}, {.make = make_visit});
+  locator_.impl_->locate(queries, queries::locate_options(options), {}, {.make = make_visit});
 }
 
 }  // namespace delone

@@ -29,10 +29,10 @@
 
 namespace delone {
 
-using internal::Meter;
-using internal::NaturalCenters;
-using internal::NaturalSearch;
-using internal::require_size;
+using queries::Meter;
+using queries::NaturalCenters;
+using queries::NaturalSearch;
+using queries::require_size;
 
 struct NaturalNeighborCoordinates::Impl {
   explicit Impl(const Triangulation& t) : centers(t, true), locator(t) {}
@@ -83,7 +83,7 @@ class InnerPoint {
       to_centroid[j] -= start_[j] - corners_[0][j];
       largest = std::max(largest, std::fabs(start_[j]));
     }
-    const double length = length_of(d, [&](std::size_t j) { return to_centroid[j]; });
+    const double length = internal::length_of(d, [&](std::size_t j) { return to_centroid[j]; });
     double t = 0, farthest = 0x1p-20 * length;
     if (how_.tolerance > 0) {
       t = 0x1p-30;
@@ -114,8 +114,7 @@ class InnerPoint {
     if (with_gradients) {
       std::vector<double> unit(size * size, 0.0);
       for (std::size_t i = 0; i < size; ++i) unit[i * size + i] = 1;
-      internal::gradients(corners_, unit, static_cast<int>(size), static_cast<int>(centers_.dimension()),
-                          all);
+      queries::gradients(corners_, unit, static_cast<int>(size), static_cast<int>(centers_.dimension()), all);
     }
     for (std::size_t i = 0; i < size; ++i) {
       if (where.barycentric[i] == 0) continue;
@@ -326,17 +325,17 @@ NaturalNeighborInterpolator::NaturalNeighborInterpolator(const Triangulation& tr
   if (!site_gradients.empty())
     require_size(site_gradients.size(), triangulation.num_rows() * columns * d,
                  "the gradients at the points");
-  values_ = internal::by_vertex(triangulation, values, columns);
+  values_ = queries::by_vertex(triangulation, values, columns);
   if (!site_gradients.empty()) {
-    site_gradients_ = internal::by_vertex(triangulation, site_gradients, columns * d);
+    site_gradients_ = queries::by_vertex(triangulation, site_gradients, columns * d);
   } else if (smooth) {
-    internal::Progress told(progress);
+    queries::Progress told(progress);
     Meter meter(told);
     std::vector<double> estimated(values_.size() * d);
     for (const VertexId v : triangulation.complex().finite_vertices()) {
       meter();
-      internal::estimate_gradients(coordinates_.impl_->centers, v, values_, columns,
-                                   estimated.data() + index(v) * columns * d);
+      queries::estimate_gradients(coordinates_.impl_->centers, v, values_, columns,
+                                  estimated.data() + index(v) * columns * d);
     }
     site_gradients_ = std::move(estimated);
   }
@@ -347,7 +346,7 @@ void NaturalNeighborInterpolator::site_gradient(VertexId v, std::span<double> re
   require_size(result.size(), width, "the result");
   triangulation_.point(v);  // throws unless it is a finite vertex
   if (site_gradients_.empty())
-    internal::estimate_gradients(coordinates_.impl_->centers, v, values_, columns_, result.data());
+    queries::estimate_gradients(coordinates_.impl_->centers, v, values_, columns_, result.data());
   else
     std::copy_n(site_gradients_.data() + index(v) * width, width, result.data());
 }
@@ -357,8 +356,8 @@ void NaturalNeighborInterpolator::evaluate(std::span<const double> queries, std:
   const auto d = static_cast<std::size_t>(triangulation_.dimension());
   require_size(result.size(), queries.size() / d * columns_, "the result");
   if (!options.fill.empty()) require_size(options.fill.size(), columns_, "the constants outside");
-  internal::Progress progress(options.progress);
-  internal::OutsideAnswers beyond(options, queries, d, columns_);
+  queries::Progress progress(options.progress);
+  queries::OutsideAnswers beyond(options, queries, d, columns_);
   const auto make_visit = [&]() -> NaturalNeighborCoordinates::Visit {
     return [&, meter = Meter(progress),
             interpolant = Interpolant(triangulation_, values_, columns_, site_gradients_)](
@@ -373,7 +372,7 @@ void NaturalNeighborInterpolator::evaluate(std::span<const double> queries, std:
         interpolant.plain(found, at, nullptr);
     };
   };
-  coordinates_.find_by_threads(queries, internal::locate_options(options), make_visit, false);
+  coordinates_.find_by_threads(queries, queries::locate_options(options), make_visit, false);
   beyond.finish(coordinates_.impl_->locator, values_, result, progress);
 }
 
@@ -382,8 +381,8 @@ void NaturalNeighborInterpolator::gradients(std::span<const double> queries, std
   const auto d = static_cast<std::size_t>(triangulation_.dimension());
   const std::size_t width = columns_ * d;
   require_size(result.size(), queries.size() / d * width, "the result");
-  internal::Progress progress(options.progress);
-  const internal::OutsideAnswers beyond(options, queries, d, width);
+  queries::Progress progress(options.progress);
+  const queries::OutsideAnswers beyond(options, queries, d, width);
   const auto make_visit = [&]() -> NaturalNeighborCoordinates::Visit {
     return [&, meter = Meter(progress), value = std::vector<double>(columns_),
             interpolant = Interpolant(triangulation_, values_, columns_, site_gradients_)](
@@ -400,7 +399,7 @@ void NaturalNeighborInterpolator::gradients(std::span<const double> queries, std
         interpolant.plain(found, value.data(), at);
     };
   };
-  coordinates_.find_by_threads(queries, internal::locate_options(options), make_visit, true);
+  coordinates_.find_by_threads(queries, queries::locate_options(options), make_visit, true);
 }
 
 }  // namespace delone

@@ -40,7 +40,7 @@
 #include <limits>
 #include <utility>
 
-namespace delone::internal {
+namespace delone::queries {
 namespace {
 
 using kernel::Integer;
@@ -62,7 +62,7 @@ int log2_of(const Integer& x) {
 NaturalCenters::NaturalCenters(const Triangulation& triangulation, bool stored)
     : triangulation_(triangulation),
       complex_(triangulation.complex()),
-      points_(StoredPoints::of(triangulation)),
+      points_(triangulation::StoredPoints::of(triangulation)),
       axes_(triangulation.axes()),
       d_(static_cast<std::size_t>(triangulation.dimension())),
       finder_(triangulation.dimension(), axes_,
@@ -73,7 +73,7 @@ NaturalCenters::NaturalCenters(const Triangulation& triangulation, bool stored)
   std::vector<double> offsets(static_cast<std::size_t>(complex_.num_cell_slots()) * d_);
   std::vector<const double*> points;
   for (const CellId c : complex_.finite_cells()) {
-    cancellation_point();
+    internal::cancellation_point();
     corners(c, points);
     finder_.find_offset(points.data(), offsets.data() + index(c) * d_);
   }
@@ -158,7 +158,7 @@ void NaturalSearch::corners_of(std::size_t cell, const double* q, std::vector<co
 
 void NaturalSearch::find(const double* q, CellId hint, bool with_gradients) {
   const std::vector<CellId> zone =
-      StoredPoints::conflict_zone(centers_.triangulation(), {q, centers_.dimension()}, hint);
+      triangulation::StoredPoints::conflict_zone(centers_.triangulation(), {q, centers_.dimension()}, hint);
   was_exact = false;
   if (!collect(zone)) return find_on_boundary(q, zone, with_gradients);
   if (!find_rounded(q, with_gradients)) {
@@ -264,7 +264,7 @@ void NaturalSearch::find_exactly(const double* q, bool with_gradients) {
   std::vector<int> most(d, std::numeric_limits<int>::min());
   for (std::size_t t = 0; t < count; ++t) {
     corners_of(t, q, points_);
-    CenterFinder::ExactOffset offset = centers_.finder().find_offset_exactly(points_.data());
+    solve::CenterFinder::ExactOffset offset = centers_.finder().find_offset_exactly(points_.data());
     for (std::size_t j = 0; j < d; ++j) {
       const Integer origin = kernel::scaled_integer(points_[0][j], grid) - kernel::scaled_integer(q[j], grid);
       Integer& x = numerators[t * d + j];
@@ -338,4 +338,4 @@ void NaturalSearch::finish(const double* q, bool with_gradients) {
   }
 }
 
-}  // namespace delone::internal
+}  // namespace delone::queries

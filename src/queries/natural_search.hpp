@@ -15,7 +15,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::queries {
 
 /// No coordinate is off by more, in a flat of dimension k.
 constexpr double largest_natural_error(std::size_t k) { return k <= 3 ? 0x1p-36 : 0x1p-30; }
@@ -28,7 +28,7 @@ class NaturalCenters {
 
   const Triangulation& triangulation() const { return triangulation_; }
   const Complex& complex() const { return complex_; }
-  const CenterFinder& finder() const { return finder_; }
+  const solve::CenterFinder& finder() const { return finder_; }
   std::span<const int> axes() const { return axes_; }
   std::size_t dimension() const { return d_; }
   const double* point(VertexId v) const { return points_.point(index(v)); }
@@ -39,10 +39,10 @@ class NaturalCenters {
  private:
   const Triangulation& triangulation_;
   Complex complex_;
-  const VertexPoints& points_;
+  const sites::VertexPoints& points_;
   std::vector<int> axes_;
   std::size_t d_;
-  CenterFinder finder_;
+  solve::CenterFinder finder_;
   std::vector<double> offsets_;
 };
 
@@ -73,7 +73,7 @@ class NaturalSearch {
   void finish(const double* q, bool with_gradients);
 
   const NaturalCenters& centers_;
-  StampedTable locals_, in_zone_;
+  internal::StampedTable locals_, in_zone_;
   ZoneSphere sphere_;
   std::vector<CellId> zone_;           // the first cells of the sphere; the others contain q
   std::vector<VertexId> local_;        // by number in the sphere; 0 is q
@@ -85,4 +85,4 @@ class NaturalSearch {
   DualVolumes<kernel::Integer> exact_;
 };
 
-}  // namespace delone::internal
+}  // namespace delone::queries

@@ -64,7 +64,7 @@ class PlainWalk {
       on_face.push_back(std::find(location.face.begin(), location.face.end(), v) != location.face.end() ? 1
                                                                                                         : 0);
     }
-    internal::barycentric(points, on_face, where_.axes, q, weights_);
+    queries::barycentric(points, on_face, where_.axes, q, weights_);
     found.barycentric = weights_;
   }
 
@@ -156,7 +156,7 @@ template <class Table>
 class Answering {
  public:
   Answering(const PointLocator::Impl& where, std::span<const double> queries, const LocateOptions& options,
-            const internal::ThickCells* thick, const internal::Visits& visits)
+            const queries::ThickCells* thick, const queries::Visits& visits)
       : walks_(where),
         queries_(queries),
         width_(static_cast<std::size_t>(where.dimension)),
@@ -185,13 +185,13 @@ class Answering {
   bool coordinates_;
   PointLocator::Visit own_;
   const PointLocator::Visit* shared_;
-  std::optional<internal::TolerantLocation> tolerant_;
+  std::optional<queries::TolerantLocation> tolerant_;
 };
 
 template <class Table>
 void walk_through(const PointLocator::Impl& where, std::span<const double> queries,
-                  const LocateOptions& options, const internal::BatchOptions& batch,
-                  const internal::ThickCells* thick, const internal::Visits& visits) {
+                  const LocateOptions& options, const queries::BatchOptions& batch,
+                  const queries::ThickCells* thick, const queries::Visits& visits) {
   Walks<Table> to_starts(where);
   where.in_parts(
       queries, batch, [&] { return Answering<Table>(where, queries, options, thick, visits); },
@@ -208,7 +208,7 @@ void dispatch(const PointLocator::Impl& where, const auto&... arguments) {
     return walk_through<NoTable>(where, arguments...);
   if constexpr (K < largest_table)
     if (where.dimension > K) return dispatch<K + 1>(where, arguments...);
-  walk_through<internal::TableWalk<K>>(where, arguments...);
+  walk_through<queries::TableWalk<K>>(where, arguments...);
 }
 
 }  // namespace
@@ -223,7 +223,7 @@ void PointLocator::locate(std::span<const double> queries, const LocateOptions& 
 }
 
 void PointLocator::Impl::locate(std::span<const double> queries, const LocateOptions& options,
-                                internal::BatchOptions batch, const internal::Visits& visits) const {
+                                queries::BatchOptions batch, const queries::Visits& visits) const {
   internal::require_tolerance(options.tolerance);
   if (options.tolerance > 0)
     internal::require_tolerance_within(options.tolerance, longest_side(),
@@ -246,7 +246,7 @@ void PointLocator::cells_within(std::span<const double> queries, double radius,
   const auto width = static_cast<std::size_t>(impl_->dimension);
   const auto make_visit = [&]() -> Visit {
     const auto near =
-        std::make_shared<internal::TolerantLocation>(*impl_, LocateOptions{.tolerance = radius}, nullptr);
+        std::make_shared<queries::TolerantLocation>(*impl_, LocateOptions{.tolerance = radius}, nullptr);
     return [&, near](std::size_t query, const LocatedPoint& found) {
       near->visit_near(queries.data() + query * width, found,
                        [&](CellId cell) { return visit(query, cell); });
@@ -271,11 +271,11 @@ double PointLocator::Impl::longest_side() const {
   return side;
 }
 
-std::shared_ptr<const internal::ThickCells> PointLocator::Impl::thick_cells(double tolerance) const {
+std::shared_ptr<const queries::ThickCells> PointLocator::Impl::thick_cells(double tolerance) const {
   if (tolerance == 0) return nullptr;
   const std::lock_guard lock(thick_mutex);
   if (!thick || thick->tolerance() != tolerance)
-    thick = std::make_shared<const internal::ThickCells>(complex.num_cell_slots(), tolerance);
+    thick = std::make_shared<const queries::ThickCells>(complex.num_cell_slots(), tolerance);
   return thick;
 }
 

@@ -17,9 +17,7 @@
 #include <span>
 #include <vector>
 
-namespace delone {
-
-namespace internal {
+namespace delone::queries {
 
 /// How a batch of queries is divided among threads.
 struct BatchOptions {
@@ -33,20 +31,20 @@ struct Visits {
   std::function<PointLocator::Visit()> make{};
 };
 
-}  // namespace internal
+}  // namespace delone::queries
 
-struct PointLocator::Impl {
+struct delone::PointLocator::Impl {
   explicit Impl(const Triangulation& t)
       : triangulation(t),
         complex(t.complex()),
-        points(internal::StoredPoints::of(t)),
+        points(triangulation::StoredPoints::of(t)),
         dimension(t.dimension()),
         affine_dimension(t.affine_dimension()),
         axes(t.axes()) {}
 
   const Triangulation& triangulation;
   Complex complex;
-  const VertexPoints& points;
+  const sites::VertexPoints& points;
   int dimension, affine_dimension;
   std::vector<int> axes;
 
@@ -55,7 +53,7 @@ struct PointLocator::Impl {
   mutable std::once_flag side_once;
   mutable double side = 0;
   mutable std::mutex thick_mutex;
-  mutable std::shared_ptr<const internal::ThickCells> thick;  // for the tolerance used last
+  mutable std::shared_ptr<const queries::ThickCells> thick;  // for the tolerance used last
 
   const double* point(VertexId v) const { return points.point(index(v)); }
   /// Answers all queries in parts, whose walks start in cells that do not depend on the number of threads. A
@@ -64,7 +62,7 @@ struct PointLocator::Impl {
   /// returns a finite cell at the query, or `start`. Rounds bound the time until the first answer, so that a
   /// callback can stop a large batch early. Throws as locate().
   template <class MakeWork, class FindStart>
-  void in_parts(std::span<const double> queries, const internal::BatchOptions& how, MakeWork make_work,
+  void in_parts(std::span<const double> queries, const queries::BatchOptions& how, MakeWork make_work,
                 FindStart find_start) const {
     std::vector<Index> rows = rows_of(queries);
     const std::size_t part = std::clamp(rows.size() / 64, how.least_part, most_in_part);
@@ -91,12 +89,12 @@ struct PointLocator::Impl {
     }
   }
   /// PointLocator::locate(). The threads are those of the options.
-  void locate(std::span<const double> queries, const LocateOptions& options, internal::BatchOptions batch,
-              const internal::Visits& visits) const;
+  void locate(std::span<const double> queries, const LocateOptions& options, queries::BatchOptions batch,
+              const queries::Visits& visits) const;
   /// The longest side of the bounding box of the vertices; 0 if there are none. Kept.
   double longest_side() const;
   /// The kinds of cells for this tolerance; null for 0.
-  std::shared_ptr<const internal::ThickCells> thick_cells(double tolerance) const;
+  std::shared_ptr<const queries::ThickCells> thick_cells(double tolerance) const;
   static constexpr std::size_t piece = std::size_t{1} << 18;  // sorted as a whole
   static constexpr std::size_t round = 8 * piece;
   static constexpr std::size_t most_in_part = 8192;
@@ -105,5 +103,3 @@ struct PointLocator::Impl {
   /// Checks the queries and returns their numbers. Throws as locate().
   std::vector<Index> rows_of(std::span<const double> queries) const;
 };
-
-}  // namespace delone

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <utility>
 
-namespace delone::internal {
+namespace delone::queries {
 
 std::size_t fit_gradients(std::span<const double> weights, std::span<const double> differences,
                           std::size_t columns, std::span<const double> rows, std::size_t d, double* result) {
@@ -139,4 +139,4 @@ void estimate_gradients(const NaturalCenters& centers, VertexId v, std::span<con
   fit_to_neighbors(centers, v, values, columns, adjacent, {}, result);
 }
 
-}  // namespace delone::internal
+}  // namespace delone::queries

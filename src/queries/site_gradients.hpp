@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::queries {
 
 /// The vector g of least length of those that minimise Σ w·(Δ − g·r)² over `weights`, rows of `columns`
 /// differences Δ, and rows r of d numbers; columns×d numbers. Directions in which the weighted r have less
@@ -22,4 +22,4 @@ std::size_t fit_gradients(std::span<const double> weights, std::span<const doubl
 void estimate_gradients(const NaturalCenters& centers, VertexId v, std::span<const double> values,
                         std::size_t columns, double* result);
 
-}  // namespace delone::internal
+}  // namespace delone::queries

@@ -19,7 +19,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::queries {
 
 /// k = d = K.
 template <int K>
@@ -149,7 +149,7 @@ class TableWalk {
       const VertexId v = vertices[i];
       is_finite = is_finite && v != infinite_vertex;
       walk.points[i] = where_.point(v);
-      delone::prefetch(walk.points[i]);
+      internal::prefetch(walk.points[i]);
     }
     return is_finite;
   }
@@ -218,4 +218,4 @@ class TableWalk {
   std::vector<double> solved_;
 };
 
-}  // namespace delone::internal
+}  // namespace delone::queries

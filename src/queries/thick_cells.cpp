@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::queries {
 namespace {
 
 using kernel::Integer;
@@ -77,4 +77,4 @@ bool ThickCells::is_thick(CellId cell, std::span<const double* const> points, in
   return is_thick;
 }
 
-}  // namespace delone::internal
+}  // namespace delone::queries

@@ -11,7 +11,7 @@
 #include <memory>
 #include <span>
 
-namespace delone::internal {
+namespace delone::queries {
 
 /// The sign of (least height − τ) of a simplex of m ≥ 2 affinely independent points of R^dimension, exactly.
 /// The height of a vertex is its distance from the affine hull of the others. τ ≥ 0, finite.
@@ -40,4 +40,4 @@ class ThickCells {
   std::unique_ptr<std::atomic<Kind>[]> kinds_;
 };
 
-}  // namespace delone::internal
+}  // namespace delone::queries

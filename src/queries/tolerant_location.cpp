@@ -25,7 +25,7 @@
 #include <limits>
 #include <utility>
 
-namespace delone::internal {
+namespace delone::queries {
 
 void TolerantLocation::load(CellId cell) {
   points_.clear();
@@ -301,4 +301,4 @@ void TolerantLocation::refine(const double* q, LocatedPoint& found) {
   if (options_.project) answer(candidate, found);
 }
 
-}  // namespace delone::internal
+}  // namespace delone::queries

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::queries {
 
 class TolerantLocation {
  public:
@@ -72,7 +72,7 @@ class TolerantLocation {
   kernel::NearestInHull nearest_, heights_;
   std::vector<const double*> points_, facet_;
   std::vector<Candidate> candidates_;
-  StampedTable visited_;
+  internal::StampedTable visited_;
   std::vector<std::pair<double, Index>> queue_;  // a heap
   std::vector<double> weights_;
 };
@@ -121,4 +121,4 @@ void TolerantLocation::visit_near(const double* q, const LocatedPoint& found, Vi
   visit_ball(q, start, radius, visit);
 }
 
-}  // namespace delone::internal
+}  // namespace delone::queries

@@ -51,7 +51,7 @@ void SiteSet::assign_in_order(std::span<const Index> rows, std::size_t first_row
   internal::parallel_for(threads, n, 16384, [&](std::size_t from, std::size_t to) {
     constexpr std::size_t ahead = 64;  // rows have no order of their own here
     for (std::size_t i = from; i < to; ++i) {
-      delone::prefetch_for_writing(vertex_of_row_.data() + first_row + rows[std::min(i + ahead, n - 1)]);
+      internal::prefetch_for_writing(vertex_of_row_.data() + first_row + rows[std::min(i + ahead, n - 1)]);
       const Index v = first + static_cast<Index>(i);
       vertex_of_row_[first_row + rows[i]] = VertexId{v};
       row_of_vertex_[v] = static_cast<Index>(first_row) + rows[i];

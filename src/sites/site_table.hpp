@@ -32,7 +32,7 @@ class SiteTable {
   }
   /// Prefetches the entry where find() and add() start.
   [[gnu::always_inline]] void prefetch(std::uint64_t tag) const {
-    if (!entries_.empty()) delone::prefetch_for_writing(&entries_[tag & mask()]);
+    if (!entries_.empty()) internal::prefetch_for_writing(&entries_[tag & mask()]);
   }
 
   /// Strong guarantee: throws std::bad_alloc or succeeds.

@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-namespace delone::internal {
+namespace delone::solve {
 
 CenterFinder::CenterFinder(int dimension, std::vector<int> axes, bool aligned)
     : dimension_(static_cast<std::size_t>(dimension)), axes_(std::move(axes)), aligned_(aligned) {}
@@ -95,4 +95,4 @@ bool CenterFinder::on_sphere(const double* const* points, const double* weights,
   return dot == integers.rights[k] * z.denominator;
 }
 
-}  // namespace delone::internal
+}  // namespace delone::solve

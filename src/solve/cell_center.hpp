@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::solve {
 
 class CenterFinder {
  public:
@@ -59,4 +59,4 @@ class CenterFinder {
   std::uint64_t num_exact_ = 0;
 };
 
-}  // namespace delone::internal
+}  // namespace delone::solve

@@ -13,7 +13,7 @@
 #include "solve/linear_system-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace delone::internal {
+namespace delone::solve {
 namespace HWY_NAMESPACE {
 
 /// Solves the equations of a center. `corner(i, j)`: coordinate j of point i. `weight(i)`: of point i, if
@@ -101,11 +101,11 @@ void find_centers_here(std::size_t n, const double* corners, const double* weigh
 }
 
 }  // namespace HWY_NAMESPACE
-}  // namespace delone::internal
+}  // namespace delone::solve
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace delone::internal {
+namespace delone::solve {
 
 HWY_EXPORT(find_centers_here);
 
@@ -121,7 +121,7 @@ bool solve_one(std::span<const int> axes, const double* const* points, const dou
                const Finish& finish) {
   const auto corner = [&](std::size_t i, std::size_t j) { return points[i][axes[j]]; };
   const auto weight = [&](std::size_t i) { return weights[i]; };
-  return with_compiled_dimension<1, most_center_lanes>(axes.size(), [&](auto n) {
+  return internal::with_compiled_dimension<1, most_center_lanes>(axes.size(), [&](auto n) {
     return HWY_NAMESPACE::solve_center<double, n()>(axes.size(), corner, weights != nullptr, weight, finish);
   });
 }
@@ -148,5 +148,5 @@ bool find_center_offset(std::span<const int> axes, const double* const* points, 
                    });
 }
 
-}  // namespace delone::internal
+}  // namespace delone::solve
 #endif

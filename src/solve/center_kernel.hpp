@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <span>
 
-namespace delone::internal {
+namespace delone::solve {
 
 /// The number of cells per call.
 inline constexpr std::size_t center_block = 32;
@@ -31,4 +31,4 @@ bool find_center(std::span<const int> axes, const double* const* points, const d
 /// magnitude and 1/4 of one of the extent of the cell from its first point.
 bool find_center_offset(std::span<const int> axes, const double* const* points, double* offset);
 
-}  // namespace delone::internal
+}  // namespace delone::solve

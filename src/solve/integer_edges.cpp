@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-namespace delone::internal {
+namespace delone::solve {
 
 using kernel::Integer;
 
@@ -70,4 +70,4 @@ kernel::Fractions IntegerEdges::twice_center(std::size_t k) const {
   return {std::move(z), std::move(solution.denominator)};
 }
 
-}  // namespace delone::internal
+}  // namespace delone::solve

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::solve {
 
 /// Points p_0 … p_m of R^d, by differences from p_0 in units of 2^grid, and their weights w_i, by differences
 /// in units of 2^(2·grid).
@@ -38,4 +38,4 @@ class IntegerEdges {
   std::size_t dimension_;
 };
 
-}  // namespace delone::internal
+}  // namespace delone::solve

@@ -18,7 +18,7 @@
 #include <utility>
 
 HWY_BEFORE_NAMESPACE();
-namespace delone::internal {
+namespace delone::solve {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -171,7 +171,7 @@ HWY_INLINE Pair<T> two_product(T a, T b) {
 }
 
 }  // namespace HWY_NAMESPACE
-}  // namespace delone::internal
+}  // namespace delone::solve
 HWY_AFTER_NAMESPACE();
 
 #endif

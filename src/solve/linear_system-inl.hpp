@@ -24,7 +24,7 @@
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
-namespace delone::internal {
+namespace delone::solve {
 namespace HWY_NAMESPACE {
 
 /// An approximate inverse of a, for N = 0 of n×n entries: by cofactors for N = 2, 3, otherwise by
@@ -209,7 +209,7 @@ HWY_INLINE Nearest<T> nearest_double(const Pair<T>& start, T correction, T radiu
 }
 
 }  // namespace HWY_NAMESPACE
-}  // namespace delone::internal
+}  // namespace delone::solve
 HWY_AFTER_NAMESPACE();
 
 #endif

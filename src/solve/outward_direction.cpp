@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace delone::internal {
+namespace delone::solve {
 namespace {
 
 /// Scales x to length 1. Returns false for a zero vector.
@@ -73,4 +73,4 @@ std::vector<double> outward_direction(const std::vector<const double*>& facet, c
   return x;
 }
 
-}  // namespace delone::internal
+}  // namespace delone::solve

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::solve {
 
 /// The unit vector orthogonal to the flat of `facet` (k points), within the flat that `facet` and `behind`
 /// span, pointing away from `behind`. Gram–Schmidt, or integers where that cancels more than a few bits. The
@@ -12,4 +12,4 @@ namespace delone::internal {
 std::vector<double> outward_direction(const std::vector<const double*>& facet, const double* behind,
                                       std::size_t dimension);
 
-}  // namespace delone::internal
+}  // namespace delone::solve

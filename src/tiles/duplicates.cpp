@@ -21,7 +21,7 @@ std::vector<Duplicate> take_duplicates(std::vector<double>& records, std::size_t
   std::size_t kept = 0;
   for (std::size_t i = 0; i < n; ++i) {
     double* const record = records.data() + i * record_size;
-    std::size_t at = internal::point_tag(record, static_cast<int>(row_size)).low & mask;
+    std::size_t at = complex::point_tag(record, static_cast<int>(row_size)).low & mask;
     const auto kept_record = [&] { return records.data() + std::size_t{table[at]} * record_size; };
     while (table[at] != none && !std::equal(record, record + row_size, kept_record())) at = (at + 1) & mask;
     if (table[at] == none) {

@@ -27,7 +27,7 @@ class PartMaker {
   PartMaker(const Triangulation& triangulation, const std::vector<std::uint8_t>& is_own,
             const std::vector<std::int64_t>& row_of, unsigned threads)
       : complex_(triangulation.complex()),
-        points_(internal::StoredPoints::of(triangulation)),
+        points_(triangulation::StoredPoints::of(triangulation)),
         is_own_(is_own),
         row_of_(row_of),
         threads_(threads),
@@ -80,9 +80,9 @@ class PartMaker {
                           stop();
                           for (std::size_t v = std::max(first, std::size_t{1}); v < last; ++v) {
                             const double* const p = points_.point(static_cast<Index>(v));
-                            tags_[v] = internal::point_tag(p, points_.ambient);
+                            tags_[v] = complex::point_tag(p, points_.ambient);
                             if (points_.weighted())
-                              weighted_tags_[v] = internal::point_tag(p, points_.ambient + 1);
+                              weighted_tags_[v] = complex::point_tag(p, points_.ambient + 1);
                           }
                         });
   }
@@ -106,13 +106,13 @@ class PartMaker {
         threads_, is_chosen_.size(), slots_per_part,
         [&](std::size_t first, std::size_t last, const internal::StopPoint& stop) {
           stop();
-          internal::HashAccumulator hash, weighted_hash;
+          complex::HashAccumulator hash, weighted_hash;
           for (std::size_t slot = first; slot < last; ++slot) {
             const CellId cell{static_cast<Index>(slot)};
             if (!complex_.is_cell(cell) || complex_.is_infinite(cell) || !has_own_vertex(cell)) continue;
             if (is_own_[index(smallest_vertex(cell))] == 0) continue;
             is_chosen_[slot] = 1;
-            internal::PointTag sum, weighted_sum;
+            complex::PointTag sum, weighted_sum;
             for (const VertexId v : complex_.vertices(cell)) {
               sum += tags_[index(v)];
               if (points_.weighted()) weighted_sum += weighted_tags_[index(v)];
@@ -183,7 +183,7 @@ class PartMaker {
   }
 
   const Complex complex_;
-  const VertexPoints& points_;
+  const sites::VertexPoints& points_;
   const std::vector<std::uint8_t>& is_own_;
   const std::vector<std::int64_t>& row_of_;
   const unsigned threads_;
@@ -192,7 +192,7 @@ class PartMaker {
   CellNumbers numbers_;                  // of these cells
   std::vector<std::uint8_t> is_used_;    // by vertex id, as the next three
   std::vector<std::int32_t> number_of_vertex_;
-  std::vector<internal::PointTag> tags_, weighted_tags_;
+  std::vector<complex::PointTag> tags_, weighted_tags_;
 };
 
 }  // namespace
@@ -210,7 +210,7 @@ FinishedTile TileTriangulation::finish() {
   result.num_rounds = static_cast<std::int64_t>(num_rounds_);
 
   // The rows of the tile, and what became of them.
-  const auto& vertex_of_row = internal::StoredPoints::vertices_of_rows(triangulation());
+  const auto& vertex_of_row = triangulation::StoredPoints::vertices_of_rows(triangulation());
   const Complex complex = triangulation().complex();
   std::vector<std::pair<std::int64_t, std::int64_t>> rows;
   rows.reserve(own_.rows.size() + own_.duplicates.size());

@@ -25,7 +25,7 @@ struct FinishedTile {
   std::vector<Seam> seams;
   /// Of the points of the tile and the cells of the part. With weights: `hash` without them, `weighted_hash`
   /// with them; the whole uses that if weights differ.
-  internal::HashAccumulator hash, weighted_hash;
+  complex::HashAccumulator hash, weighted_hash;
   std::int64_t num_vertices = 0, num_duplicates = 0, num_hidden = 0, num_hull_facets = 0;
   double least_weight = 0, largest_weight = 0;  ///< of its vertices
   std::int64_t num_foreign = 0, num_rounds = 0;

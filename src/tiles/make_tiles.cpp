@@ -206,7 +206,7 @@ std::string hash_of_rows(PointStream& points, const TilesOptions& options) {
   while (points.next(rows)) {
     internal::cancellation_point();
     for (std::size_t at = 0; at < rows.size(); at += static_cast<std::size_t>(points.dimension()))
-      hash = random::mix(hash ^ internal::point_tag(&rows[at], points.dimension()).low);
+      hash = random::mix(hash ^ complex::point_tag(&rows[at], points.dimension()).low);
   }
   return fmt::format("rows of {} numbers, of hash {:016x}", points.dimension(), hash);
 }

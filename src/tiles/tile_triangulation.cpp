@@ -37,7 +37,7 @@ class TileTriangulation::Asking {
   explicit Asking(TileTriangulation& tile)
       : tile_(tile),
         complex_(tile.triangulation().complex()),
-        points_(internal::StoredPoints::of(tile.triangulation())),
+        points_(triangulation::StoredPoints::of(tile.triangulation())),
         axes_(tile.triangulation().axes()),
         d_(static_cast<std::size_t>(points_.ambient)),
         k_(axes_.size()),
@@ -46,8 +46,8 @@ class TileTriangulation::Asking {
         search_(tile.tree_, tile.source_, tile.known_, tile.tile().first_page, tile.tile().last_page) {
     question_.set_largest_weight(
         std::max(std::abs(tile.survey_.lowest_weight), std::abs(tile.survey_.largest_weight)));
-    centers_.resize(internal::CenterFinder::block * d_);
-    spokes_.reserve(internal::CenterFinder::block);
+    centers_.resize(solve::CenterFinder::block * d_);
+    spokes_.reserve(solve::CenterFinder::block);
   }
   Asking(const Asking&) = delete;
   Asking& operator=(const Asking&) = delete;
@@ -122,7 +122,7 @@ class TileTriangulation::Asking {
       corners_.push_back(point(v));
       if (points_.weighted()) weights_.push_back(corners_.back()[d_]);
     }
-    if (spokes_.size() == internal::CenterFinder::block) ask_gathered();
+    if (spokes_.size() == solve::CenterFinder::block) ask_gathered();
   }
 
   void ask_gathered() {
@@ -186,7 +186,7 @@ class TileTriangulation::Asking {
     const CellId behind = complex_.neighbor(cell, infinite);
     const double* const inner = point(complex_.vertex(behind, complex_.mirror_index(cell, infinite)));
     if (is_side_of_box(inner)) return;
-    const std::vector<double> normal = internal::outward_direction(facet_, inner, d_);
+    const std::vector<double> normal = solve::outward_direction(facet_, inner, d_);
     question_.ask_beyond_facet(own, normal.data());
     const kernel::Flat flat{points_.ambient, axes_, points_.form};
     ask(cell, [&](const double* x) { return kernel::hull_side(flat, facet_, inner, x) == Sign::negative; });
@@ -214,10 +214,10 @@ class TileTriangulation::Asking {
 
   TileTriangulation& tile_;
   const Complex complex_;
-  const VertexPoints& points_;
+  const sites::VertexPoints& points_;
   const std::vector<int> axes_;
   const std::size_t d_, k_;
-  internal::CenterFinder finder_;
+  solve::CenterFinder finder_;
   Question<D> question_;
   PageSearch search_;
   std::uint64_t pages_counted_ = 0;
@@ -300,8 +300,8 @@ void TileTriangulation::insert(std::vector<double> rows) {
 /// The vertices of rows that were inserted since.
 void TileTriangulation::enter_vertices() {
   // A hidden vertex keeps its id, which Complex does not show.
-  const auto& vertex_of_row = internal::StoredPoints::vertices_of_rows(triangulation());
-  const Index slots = internal::StoredPoints::of(triangulation()).last_vertex() + 1;
+  const auto& vertex_of_row = triangulation::StoredPoints::vertices_of_rows(triangulation());
+  const Index slots = triangulation::StoredPoints::of(triangulation()).last_vertex() + 1;
   is_own_.resize(slots, 0);
   row_of_.resize(slots, -1);
   for (; num_rows_done_ < rows_.size(); ++num_rows_done_) {
@@ -315,7 +315,7 @@ void TileTriangulation::enter_vertices() {
 
 void TileTriangulation::insert_found() {
   if (found_.empty()) {
-    first_new_vertex_ = internal::StoredPoints::of(triangulation()).last_vertex() + 1;
+    first_new_vertex_ = triangulation::StoredPoints::of(triangulation()).last_vertex() + 1;
     return;
   }
   num_foreign_ += found_.size();
@@ -341,7 +341,7 @@ void TileTriangulation::insert_found() {
 
 /// The points of found_, in whose order neighbors are near each other.
 void TileTriangulation::insert_one_by_one() {
-  first_new_vertex_ = internal::StoredPoints::of(triangulation()).last_vertex() + 1;
+  first_new_vertex_ = triangulation::StoredPoints::of(triangulation()).last_vertex() + 1;
   const auto d = static_cast<std::size_t>(survey_.dimension);
   std::vector<double> row(tree_.table().row_size());
   const std::span<const double> point(row.data(), d);
@@ -395,7 +395,7 @@ void TileTriangulation::ask() {
     }
     // Few new vertices: their stars. Otherwise all cells are looked through.
     const std::size_t slots = triangulation().complex().num_cell_slots(),
-                      end = internal::StoredPoints::of(triangulation()).last_vertex() + std::size_t{1},
+                      end = triangulation::StoredPoints::of(triangulation()).last_vertex() + std::size_t{1},
                       num_new = end - std::min<std::size_t>(first_new_vertex_, end);
     constexpr std::size_t part_of_slots = 16384, part_of_stars = 256, cells_per_star = 256;
     const bool has_few = num_new < triangulation().num_all_cells() / cells_per_star;
@@ -415,7 +415,7 @@ void TileTriangulation::ask() {
 }
 
 std::size_t TileTriangulation::bytes() const {
-  const auto& points = internal::StoredPoints::of(triangulation());
+  const auto& points = triangulation::StoredPoints::of(triangulation());
   return triangulation().statistics().cell_bytes + points.coordinates.capacity() * sizeof(double) +
          rows_.capacity() * sizeof(std::int64_t) + is_own_.capacity() +
          row_of_.capacity() * sizeof(std::int64_t);

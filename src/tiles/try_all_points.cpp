@@ -72,7 +72,7 @@ void TileTriangulation::insert_if_needed(const Page& page, std::size_t slot) {
   const std::span<const double> point(row.data(), d);
   const double weight = survey_.weighted ? row[d] : 0;
   const std::vector<CellId> zone =
-      internal::StoredPoints::conflict_zone(triangulation(), point, last_cell_, weight);
+      triangulation::StoredPoints::conflict_zone(triangulation(), point, last_cell_, weight);
   if (zone.empty()) return;
   last_cell_ = zone.front();
   const Complex complex = triangulation().complex();

@@ -154,8 +154,8 @@ std::optional<TileRecord> find_record(const std::string& folder, const std::stri
     record.num_rounds = count("num_rounds");
     record.least_weight = members.real("least_weight");
     record.largest_weight = members.real("largest_weight");
-    record.hash = internal::HashAccumulator::of_words(members.words<5>("hash"));
-    record.weighted_hash = internal::HashAccumulator::of_words(members.words<5>("weighted_hash"));
+    record.hash = complex::HashAccumulator::of_words(members.words<5>("hash"));
+    record.weighted_hash = complex::HashAccumulator::of_words(members.words<5>("weighted_hash"));
     record.part_bytes = static_cast<std::uint64_t>(count("part_bytes"));
     record.seam_bytes = static_cast<std::uint64_t>(count("seam_bytes"));
     if (!has_size(path_in(folder, part_name(t)), record.part_bytes) ||
@@ -272,7 +272,7 @@ TilesIndex WorkFolder::summary() const {
   index.affine_dimension = plan_.affine_dimension;
   index.weighted = plan_.weighted;
   index.num_points = plan_.num_points;
-  internal::HashAccumulator hash, weighted_hash;
+  complex::HashAccumulator hash, weighted_hash;
   bool has_vertex = false;
   double least = 0, largest = 0;
   for (std::size_t t = 0; t < records_.size(); ++t) {

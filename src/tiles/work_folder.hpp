@@ -34,7 +34,7 @@ struct TileRecord {
   std::int64_t num_vertices = 0, num_duplicates = 0, num_hidden = 0, num_hull_facets = 0;
   std::int64_t num_foreign = 0, num_rounds = 0;
   double least_weight = 0, largest_weight = 0;
-  internal::HashAccumulator hash, weighted_hash;
+  complex::HashAccumulator hash, weighted_hash;
   std::uint64_t part_bytes = 0, seam_bytes = 0;  ///< sizes of the files
 };
 

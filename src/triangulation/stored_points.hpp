@@ -7,7 +7,7 @@
 
 #include <cstddef>
 
-namespace delone::internal {
+namespace delone::triangulation {
 
 class StoredPoints : private Triangulation {
   using Member = const Impl& (Triangulation::*)() const;
@@ -32,7 +32,7 @@ class StoredPoints : private Triangulation {
   static const std::vector<VertexId>& vertices_of_rows(const Triangulation& t) {
     return impl_of(t).sites().vertices_of_rows();
   }
-  static const VertexPoints& of(const Triangulation& t) { return impl_of(t).points(); }
+  static const sites::VertexPoints& of(const Triangulation& t) { return impl_of(t).points(); }
   /// The coordinates of an input row, followed by its weight if points have one; hidden or not. Null if the
   /// row was not inserted.
   static const double* of_row(const Triangulation& t, std::size_t row) {
@@ -41,4 +41,4 @@ class StoredPoints : private Triangulation {
   }
 };
 
-}  // namespace delone::internal
+}  // namespace delone::triangulation

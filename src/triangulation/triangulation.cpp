@@ -154,7 +154,7 @@ Location Triangulation::locate(const AnyPoint<>& query, std::optional<CellId> hi
     location.face = {impl_->complex().vertex(CellId{0}, 0)};
     return location;
   }
-  QueryLocation found = impl_->queries()->locate(q, start);
+  compiled::QueryLocation found = impl_->queries()->locate(q, start);
   location.cell = CellId{found.cell};
   location.face = std::move(found.face);
   const int face_dimension = location.face_dimension();
@@ -236,35 +236,35 @@ CanonicalHash Triangulation::hash(unsigned threads) const {
   const bool with_weights =
       impl_->weighted() && std::any_of(vertices.begin(), vertices.end(),
                                        [&](VertexId v) { return weight(v) != weight(vertices.front()); });
-  std::vector<internal::PointTag> tags(complex().num_vertex_slots());  // by vertex id
-  internal::HashAccumulator hash;
-  internal::add_in_parts(threads, vertices.size(), hash,
-                         [&](std::size_t first, std::size_t last, internal::HashAccumulator& some) {
-                           for (std::size_t i = first; i < last; ++i) {
-                             const Index v = index(vertices[i]);
-                             tags[v] = internal::point_tag(impl_->points().point(v),
-                                                           dimension() + (with_weights ? 1 : 0));
-                             some.add_vertex(tags[v]);
-                           }
-                         });
+  std::vector<complex::PointTag> tags(complex().num_vertex_slots());  // by vertex id
+  complex::HashAccumulator hash;
+  complex::add_in_parts(threads, vertices.size(), hash,
+                        [&](std::size_t first, std::size_t last, complex::HashAccumulator& some) {
+                          for (std::size_t i = first; i < last; ++i) {
+                            const Index v = index(vertices[i]);
+                            tags[v] = complex::point_tag(impl_->points().point(v),
+                                                         dimension() + (with_weights ? 1 : 0));
+                            some.add_vertex(tags[v]);
+                          }
+                        });
   const Complex now = complex();
-  internal::add_in_parts(threads, now.num_cell_slots(), hash,
-                         [&](std::size_t first, std::size_t last, internal::HashAccumulator& some) {
-                           for (std::size_t slot = first; slot < last; ++slot) {
-                             const CellId c{static_cast<Index>(slot)};
-                             if (!now.is_cell(c) || now.is_infinite(c)) continue;
-                             internal::PointTag sum;
-                             for (int i = 0; i <= now.affine_dimension(); ++i)
-                               sum += tags[index(now.vertex(c, i))];
-                             some.add_cell(sum);
-                           }
-                         });
+  complex::add_in_parts(threads, now.num_cell_slots(), hash,
+                        [&](std::size_t first, std::size_t last, complex::HashAccumulator& some) {
+                          for (std::size_t slot = first; slot < last; ++slot) {
+                            const CellId c{static_cast<Index>(slot)};
+                            if (!now.is_cell(c) || now.is_infinite(c)) continue;
+                            complex::PointTag sum;
+                            for (int i = 0; i <= now.affine_dimension(); ++i)
+                              sum += tags[index(now.vertex(c, i))];
+                            some.add_cell(sum);
+                          }
+                        });
   return hash.finish(dimension(), affine_dimension());
 }
 
 Statistics Triangulation::statistics() const {
   Statistics s = impl_->state->statistics;
-  if (const TriangulationQueries* const queries = impl_->queries(); queries != nullptr) {
+  if (const compiled::TriangulationQueries* const queries = impl_->queries(); queries != nullptr) {
     const engine::Effort& effort = queries->effort();
     s.created_cells = effort.created_cells;
     s.visited_cells = effort.visited_cells;

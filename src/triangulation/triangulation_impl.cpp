@@ -37,9 +37,9 @@ void Triangulation::Impl::require_idle() const {
 /// Makes insertions possible again after compact(): cells keep their ids.
 void Triangulation::Impl::expand() {
   if (!compacted) return;
-  auto restored =
-      make_triangulation_engine(state->affine_hull.axes(), state->sites.points(), compacted->frame(),
-                                compacted->effort(), state->options.force_runtime_dimension);
+  auto restored = compiled::make_triangulation_engine(state->affine_hull.axes(), state->sites.points(),
+                                                      compacted->frame(), compacted->effort(),
+                                                      state->options.force_runtime_dimension);
   restored->restore(complex());
   state->engine = std::move(restored);
   compacted.reset();
@@ -228,8 +228,8 @@ void Triangulation::Impl::compact() {
   state->hidden_points.reset();
   state->landmarks.reset();
   if (state->engine) {
-    compacted =
-        make_compact_triangulation(state->affine_hull.axes(), points(), *state->engine, state->complex());
+    compacted = compiled::make_compact_triangulation(state->affine_hull.axes(), points(), *state->engine,
+                                                     state->complex());
     state->engine.reset();
     state->find_cells_of_vertices(complex());
   }

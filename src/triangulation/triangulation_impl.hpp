@@ -14,16 +14,14 @@
 #include <span>
 #include <vector>
 
-namespace delone {
-
-struct Triangulation::Impl {
+struct delone::Triangulation::Impl {
   Impl(int dimension, kernel::RowForm form, const Options& options)
       : state(std::make_unique<construction::State>(dimension, form, options)) {}
   /// A deep copy.
   std::unique_ptr<Impl> clone() const;
 
   std::unique_ptr<construction::State> state;
-  std::unique_ptr<CompactTriangulation> compacted;  // after compact(), until the next change
+  std::unique_ptr<compiled::CompactTriangulation> compacted;  // after compact(), until the next change
   construction::Recording recording;
   Changes changes;
   std::unique_ptr<construction::Record> last_edit;  // if it can be undone
@@ -35,8 +33,9 @@ struct Triangulation::Impl {
   std::size_t ambient() const { return state->ambient(); }
   bool weighted() const { return state->weighted(); }
   /// The triangulation, if the affine dimension is at least 1.
-  const TriangulationQueries* queries() const {
-    return state->engine ? static_cast<const TriangulationQueries*>(state->engine.get()) : compacted.get();
+  const compiled::TriangulationQueries* queries() const {
+    return state->engine ? static_cast<const compiled::TriangulationQueries*>(state->engine.get())
+                         : compacted.get();
   }
   Complex complex() const {
     return compacted ? compacted->complex(state->num_vertices, state->cell_of_vertex) : state->complex();
@@ -80,5 +79,3 @@ struct Triangulation::Impl {
   engine::Outcome remove_at_once(std::size_t row);
   bool move_at_once(std::size_t row, std::span<const double> to);
 };
-
-}  // namespace delone

@@ -12,7 +12,7 @@
 #include <limits>
 #include <utility>
 
-namespace delone::internal {
+namespace delone::voronoi {
 
 using namespace clipper_limits;
 
@@ -151,4 +151,4 @@ void RegionClipper::find_coordinates_exactly(Corner corner) {
   radii_[corner] = u * largest + std::numeric_limits<double>::denorm_min();
 }
 
-}  // namespace delone::internal
+}  // namespace delone::voronoi

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace delone {
+namespace delone::voronoi {
 
 DiagramSimplifier::DiagramSimplifier(const Diagram& exact, double tolerance)
     : in_(exact),
@@ -40,7 +40,7 @@ bool DiagramSimplifier::comes_before(Index v, Index w) const {
 /// decide later are at least the computed differences.
 std::vector<std::pair<Index, Index>> DiagramSimplifier::short_edges() const {
   std::vector<std::pair<Index, Index>> edges;
-  const double most = 2 * tolerance_ * (1 + 8 * internal::u);
+  const double most = 2 * tolerance_ * (1 + 8 * u);
   const auto visit = [&](SignedIndex v, SignedIndex w) {
     if (v < 0 || w < 0) return;
     const double *p = at(v), *q = at(w);
@@ -106,7 +106,7 @@ void DiagramSimplifier::cluster_vertices() {
       for (std::size_t edge = starts[cluster[c]]; edge < starts[cluster[c] + 1]; ++edge) {
         const Index v = next[edge];
         if (has_one[v] != 0) continue;
-        const double moved = kernel::distance_bound(at(center), at(v), d_, internal::u);
+        const double moved = kernel::distance_bound(at(center), at(v), d_, u);
         if (!(moved <= tolerance_)) continue;
         max_displacement_ = std::max(max_displacement_, moved);
         has_one[v] = 1;
@@ -338,4 +338,4 @@ void DiagramSimplifier::choose_ridges() {
   }
 }
 
-}  // namespace delone
+}  // namespace delone::voronoi

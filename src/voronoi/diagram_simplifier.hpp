@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace delone {
+namespace delone::voronoi {
 
 class DiagramSimplifier {
  public:
@@ -103,9 +103,9 @@ class DiagramSimplifier {
   std::vector<unsigned char> is_dropped_;         // k = 3, by vertex
   std::vector<SignedIndex> number_;               // by vertex; −1: not in the result
   std::vector<Index> regions_at_, region_starts_;  // k > 3, made on first use
-  internal::RidgeWidth width_;
+  RidgeWidth width_;
   kernel::FlatDistance line_;
   std::vector<const double*> corners_, facet_;
 };
 
-}  // namespace delone
+}  // namespace delone::voronoi

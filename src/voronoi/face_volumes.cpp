@@ -11,7 +11,7 @@
 #include <limits>
 #include <utility>
 
-namespace delone::internal {
+namespace delone::voronoi {
 namespace {
 
 /// A volume is accurate if its error is `accurate` of it, or no more than errors of corners make inevitable
@@ -107,7 +107,7 @@ FaceVolumes::Level FaceVolumes::next(const Level& level, const std::vector<unsig
   };
   std::vector<Index> sites(made.size);
   for (std::size_t facet = 0; facet < level.count(); ++facet) {
-    cancellation_point();
+    internal::cancellation_point();
     const auto labels = level.labels_of(facet);
     std::size_t num_wanted = 0;
     for (const Index label : labels) num_wanted += wanted[label];
@@ -185,4 +185,4 @@ void FaceVolumes::measure(std::size_t size, const std::vector<unsigned char>& wa
   }
 }
 
-}  // namespace delone::internal
+}  // namespace delone::voronoi

@@ -20,7 +20,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::voronoi {
 
 class FaceVolumes {
  public:
@@ -80,4 +80,4 @@ class FaceVolumes {
   std::vector<double> edges_, lengths_;  // of a simplex
 };
 
-}  // namespace delone::internal
+}  // namespace delone::voronoi

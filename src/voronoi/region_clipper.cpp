@@ -23,7 +23,7 @@
 #include <numeric>
 #include <utility>
 
-namespace delone::internal {
+namespace delone::voronoi {
 
 using namespace clipper_limits;
 
@@ -225,7 +225,7 @@ RegionClipper::Corner RegionClipper::new_corner() {
 }
 
 void RegionClipper::cut(std::size_t plane) {
-  cancellation_point();
+  internal::cancellation_point();
   bool any = false;
   for (Corner c = 0; c < alive_.size(); ++c) {
     beyond_[c] = alive_[c] != 0 && is_beyond(c, plane) ? 1 : 0;
@@ -410,4 +410,4 @@ ClippedRegion RegionClipper::geometry() {
   return region;
 }
 
-}  // namespace delone::internal
+}  // namespace delone::voronoi

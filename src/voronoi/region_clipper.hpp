@@ -17,7 +17,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::voronoi {
 
 class RegionClipper {
  public:
@@ -90,4 +90,4 @@ class RegionClipper {
   SimplePolytope polytope_;
 };
 
-}  // namespace delone::internal
+}  // namespace delone::voronoi

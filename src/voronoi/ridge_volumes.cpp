@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-namespace delone::internal {
+namespace delone::voronoi {
 namespace {
 
 /// So many faces, about, are measured at a time.
@@ -116,4 +116,4 @@ std::vector<double> measure_ridges(const DiagramParts& diagram,
   return volumes;
 }
 
-}  // namespace delone::internal
+}  // namespace delone::voronoi

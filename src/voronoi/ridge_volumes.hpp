@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::voronoi {
 
 /// The two regions between which a ridge is.
 inline std::array<std::size_t, 2> regions_of_ridge(std::span<const SignedIndex> ridge_points,
@@ -39,4 +39,4 @@ struct DiagramParts {
 /// limited unless one region has very many cells.
 std::vector<double> measure_ridges(const DiagramParts& diagram, const std::vector<unsigned char>& wanted);
 
-}  // namespace delone::internal
+}  // namespace delone::voronoi

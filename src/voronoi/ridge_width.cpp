@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace delone::internal {
+namespace delone::voronoi {
 
 double RidgeWidth::bound(std::span<const double* const> vertices) {
   double width = std::numeric_limits<double>::infinity();
@@ -53,4 +53,4 @@ double RidgeWidth::facet_bound(std::span<const double* const> vertices,
   return extent;
 }
 
-}  // namespace delone::internal
+}  // namespace delone::voronoi

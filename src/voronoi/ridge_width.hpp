@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::voronoi {
 
 class RidgeWidth {
  public:
@@ -36,4 +36,4 @@ class RidgeWidth {
   std::vector<const double*> independent_;
 };
 
-}  // namespace delone::internal
+}  // namespace delone::voronoi

@@ -3,9 +3,9 @@
 
 #include "kernel/determinant.hpp"
 
-namespace delone::internal {
+namespace delone::voronoi {
 
 /// The unit roundoff of binary64, as the room's error bounds write it.
 inline constexpr double u = kernel::unit_roundoff;
 
-}  // namespace delone::internal
+}  // namespace delone::voronoi

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace delone::internal {
+namespace delone::voronoi {
 
 void SimplePolytope::start(std::size_t m, std::size_t d) {
   m_ = m;
@@ -96,7 +96,7 @@ SimplePolytope::Face SimplePolytope::measure_face(std::size_t dimension, std::si
                                                   std::size_t last) {
   const std::size_t origin = face_[first];
   if (dimension == 0) return {1, origin, bases_.size()};
-  cancellation_point();
+  internal::cancellation_point();
   auto& entries = entries_[dimension];  // the recursion uses those of lower dimensions
   entries.clear();
   const std::size_t* of_origin = labels_.data() + origin * m_;
@@ -109,7 +109,7 @@ SimplePolytope::Face SimplePolytope::measure_face(std::size_t dimension, std::si
   std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
     return a.label < b.label || (a.label == b.label && a.corner < b.corner);
   });
-  CompensatedSum sum;
+  internal::CompensatedSum sum;
   // The basis of the face is that of its facet with the largest part, plus the normal. The directions of a
   // thin facet are less accurate.
   double largest = 0;
@@ -140,4 +140,4 @@ SimplePolytope::Face SimplePolytope::measure_face(std::size_t dimension, std::si
   return {sum.value() / static_cast<double>(dimension), origin, basis};
 }
 
-}  // namespace delone::internal
+}  // namespace delone::voronoi

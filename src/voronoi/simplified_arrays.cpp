@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace delone {
+namespace delone::voronoi {
 
 /// In the order of their coordinates. A ray keeps the vertex that it starts from.
 std::vector<SignedIndex> DiagramSimplifier::vertices_that_lost_ridges() const {
@@ -156,4 +156,4 @@ void DiagramSimplifier::write_rays(Diagram& out) const {
   }
 }
 
-}  // namespace delone
+}  // namespace delone::voronoi

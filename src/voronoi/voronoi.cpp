@@ -39,7 +39,7 @@ DataKind kind_of_dual(TriangulationKind kind) {
 constexpr std::size_t ridges_in_part = 2048;
 
 double distance(const double* p, const double* q, std::size_t d) {
-  return length_of(d, [&](std::size_t j) { return q[j] - p[j]; });
+  return internal::length_of(d, [&](std::size_t j) { return q[j] - p[j]; });
 }
 
 /// The area of the triangle o, p, q in R^d: half of base times height, the height by orthogonalisation.
@@ -49,7 +49,7 @@ double triangle_area(const double* o, const double* p, const double* q, std::siz
   double along = 0;
   for (std::size_t j = 0; j < d; ++j) along += (p[j] - o[j]) / base * (q[j] - o[j]);
   const double height =
-      length_of(d, [&](std::size_t j) { return (q[j] - o[j]) - along * ((p[j] - o[j]) / base); });
+      internal::length_of(d, [&](std::size_t j) { return (q[j] - o[j]) - along * ((p[j] - o[j]) / base); });
   return base / 2 * height;
 }
 
@@ -79,7 +79,7 @@ class DiagramClipper {
         neighbors_(neighbors),
         clipper_(box, diagram.kind() == DataKind::furthest_voronoi) {}
 
-  internal::RegionClipper& clip(std::size_t region) {
+  voronoi::RegionClipper& clip(std::size_t region) {
     others_.clear();
     for (std::size_t i = neighbors_.offsets[region]; i < neighbors_.offsets[region + 1]; ++i)
       others_.push_back(site(neighbors_.others[i]));
@@ -88,14 +88,14 @@ class DiagramClipper {
   }
 
  private:
-  internal::RegionClipper::Site site(std::size_t r) const {
+  voronoi::RegionClipper::Site site(std::size_t r) const {
     return {diagram_.site(r).data(), diagram_.weight(r)};
   }
 
   const Diagram& diagram_;
   const Neighbors& neighbors_;
-  internal::RegionClipper clipper_;
-  std::vector<internal::RegionClipper::Site> others_;
+  voronoi::RegionClipper clipper_;
+  std::vector<voronoi::RegionClipper::Site> others_;
 };
 
 }  // namespace
@@ -110,7 +110,7 @@ Diagram::Diagram(const Triangulation& triangulation, const std::function<double(
   internal::require_tolerance(tolerance_);
   const internal::ProgressMeter meter(options.progress);
   internal::guarded("the diagram", [&] {
-    VoronoiBuilder(triangulation, weight, options.threads, *this).run();
+    voronoi::VoronoiBuilder(triangulation, weight, options.threads, *this).run();
     if (tolerance_ > 0) simplify();
   });
   if (options.parts == DiagramParts::all || !has_ridges_) return;
@@ -135,7 +135,7 @@ void Diagram::simplify() {
   point_region_ = exact->point_region_;
   bounded_ = exact->bounded_;
   // Moved from: all other arrays are empty.
-  if (DiagramSimplifier(*exact, tolerance_).run(*this))
+  if (voronoi::DiagramSimplifier(*exact, tolerance_).run(*this))
     exact_ = exact;
   else
     *this = std::move(*exact);
@@ -172,12 +172,12 @@ double Diagram::ridge_volume(std::size_t i, const std::vector<std::vector<Index>
   }
   // The dual face of an edge of the triangulation: one corner for each cell around the edge, on a facet for
   // each further site.
-  const auto [a, b] = internal::regions_of_ridge(ridge_points_, point_region_, i);
+  const auto [a, b] = voronoi::regions_of_ridge(ridge_points_, point_region_, i);
   const std::size_t k = static_cast<std::size_t>(affine_dimension_);
   std::vector<Index> star;
   std::set_intersection(cells_of_region[a].begin(), cells_of_region[a].end(), cells_of_region[b].begin(),
                         cells_of_region[b].end(), std::back_inserter(star));
-  internal::SimplePolytope polytope;
+  voronoi::SimplePolytope polytope;
   polytope.start(k - 1, ambient());
   std::vector<std::size_t> labels;
   for (const Index cell : star) {
@@ -211,7 +211,7 @@ std::vector<double> Diagram::ridge_volumes(unsigned threads) const {
   }
   return internal::guarded("the diagram", [&] {
     const auto cells = cells_of_regions();
-    std::vector<double> volumes = internal::measure_ridges(
+    std::vector<double> volumes = voronoi::measure_ridges(
         {static_cast<std::size_t>(affine_dimension_), ambient(), sites_, vertices_, cell_regions_,
          cell_vertex_, cells, ridge_points_, point_region_, ridge_vertices_, ridge_offsets_},
         std::vector<unsigned char>(num_regions(), 1));
@@ -234,7 +234,7 @@ std::vector<double> Diagram::volumes_of(const std::vector<unsigned char>& wanted
     return static_cast<std::size_t>(point_region_[static_cast<std::size_t>(ridge_points_[i])]);
   };
   std::vector<internal::CompensatedSum> sums(num_regions());
-  const std::vector<double> of_ridges = internal::measure_ridges(
+  const std::vector<double> of_ridges = voronoi::measure_ridges(
       {static_cast<std::size_t>(affine_dimension_), ambient(), sites_, vertices_, cell_regions_, cell_vertex_,
        cells, ridge_points_, point_region_, ridge_vertices_, ridge_offsets_},
       wanted);

@@ -15,7 +15,7 @@
 #include <numeric>
 #include <utility>
 
-namespace delone {
+namespace delone::voronoi {
 
 VoronoiBuilder::VoronoiBuilder(const Triangulation& triangulation,
                                const std::function<double(VertexId)>& weight, unsigned threads, Diagram& out)
@@ -91,7 +91,7 @@ void VoronoiBuilder::collect_sites() {
     const VertexId v = triangulation_.vertex_at(row);
     if (index(v) < region_of_vertex_.size()) out_.point_region_[row] = region_of(v);
     if (out_.point_region_[row] >= 0) continue;
-    const double* hidden = internal::StoredPoints::of_row(triangulation_, row);
+    const double* hidden = triangulation::StoredPoints::of_row(triangulation_, row);
     for (std::size_t j = 0; j <= d_; ++j)
       out_.hidden_.push_back(hidden == nullptr ? std::nan("") : j < d_ || weight_ ? hidden[j] : 0.0);
   }
@@ -105,10 +105,10 @@ void VoronoiBuilder::find_centers() {
     for (const VertexId v : site_of_region_) aligned = aligned && point(v)[j] == point(site_of_region_[0])[j];
   }
   const auto corners = static_cast<std::size_t>(k_) + 1;
-  constexpr std::size_t block = internal::CenterFinder::block, part = 128 * block;
+  constexpr std::size_t block = solve::CenterFinder::block, part = 128 * block;
   centers_.resize(cells_.size() * d_);
   internal::work_in_parts(threads_, cells_.size(), part, [&] {
-    return [&, finder = internal::CenterFinder(triangulation_.dimension(), axes_, aligned),
+    return [&, finder = solve::CenterFinder(triangulation_.dimension(), axes_, aligned),
             points = std::vector<const double*>(corners * block),
             weights = std::vector<double>(weight_ ? corners * block : 0)](
                std::size_t begin, std::size_t end, const internal::StopPoint& stop) mutable {
@@ -139,14 +139,15 @@ void VoronoiBuilder::unite(Index a, Index b) {
 }
 
 bool VoronoiBuilder::is_on_sphere(CellId cell, VertexId v) const {
-  if (!weight_) return internal::StoredPoints::in_sphere(triangulation_, cell, {point(v), d_}) == Side::on;
+  if (!weight_)
+    return triangulation::StoredPoints::in_sphere(triangulation_, cell, {point(v), d_}) == Side::on;
   std::vector<const double*> points;
   std::vector<double> weights;
   for (int i = 0; i <= k_; ++i) {
     points.push_back(point(complex_.vertex(cell, i)));
     weights.push_back(weights_[index(complex_.vertex(cell, i))]);
   }
-  return internal::CenterFinder(triangulation_.dimension(), axes_, true)
+  return solve::CenterFinder(triangulation_.dimension(), axes_, true)
       .on_sphere(points.data(), weights.data(), point(v), weights_[index(v)]);
 }
 
@@ -278,7 +279,7 @@ void VoronoiBuilder::collect_regions_in_plane() {
   out_.region_offsets_.reserve(num_regions + 1);
   for (std::size_t r = 0; r < num_regions; ++r) {
     constexpr std::size_t ahead = 16;
-    if (r + ahead < num_regions) delone::prefetch(lists.data() + begin[r + ahead]);
+    if (r + ahead < num_regions) internal::prefetch(lists.data() + begin[r + ahead]);
     const auto first = lists.begin() + static_cast<std::ptrdiff_t>(begin[r]);
     out_.region_vertices_.insert(out_.region_vertices_.end(), first,
                                  first + static_cast<std::ptrdiff_t>(size[r]));
@@ -321,11 +322,11 @@ void VoronoiBuilder::collect_rays() {
       out_.ray_points_.push_back(row_of(complex_.vertex(c, i)));
     }
     const double* opposite = point(complex_.vertex(behind, complex_.mirror_index(c, apex)));
-    std::vector<double> direction = internal::outward_direction(facet, opposite, d_);
+    std::vector<double> direction = solve::outward_direction(facet, opposite, d_);
     if (is_inward)
       for (double& x : direction) x = 0 - x;
     out_.ray_directions_.insert(out_.ray_directions_.end(), direction.begin(), direction.end());
   }
 }
 
-}  // namespace delone
+}  // namespace delone::voronoi

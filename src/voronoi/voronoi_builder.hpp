@@ -12,7 +12,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace delone {
+namespace delone::voronoi {
 
 class VoronoiBuilder {
  public:
@@ -104,4 +104,4 @@ class VoronoiBuilder {
   std::unordered_map<Index, std::vector<VertexId>> sites_of_class_;
 };
 
-}  // namespace delone
+}  // namespace delone::voronoi

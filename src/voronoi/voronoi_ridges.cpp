@@ -12,7 +12,7 @@
 #include <array>
 #include <utility>
 
-namespace delone {
+namespace delone::voronoi {
 
 void VoronoiBuilder::add_ridge(VertexId s, VertexId t, std::span<const SignedIndex> vertices) {
   round_();
@@ -266,7 +266,7 @@ void VoronoiBuilder::collect_ridges_by_region() {
         const auto for_each_later = [&](auto&& visit) {
           for (std::size_t e = 0; e < cells.size(); ++e) {
             constexpr std::size_t ahead = 12;
-            if (e + ahead < cells.size()) delone::prefetch(regions.data() + cells[e + ahead] * corners);
+            if (e + ahead < cells.size()) internal::prefetch(regions.data() + cells[e + ahead] * corners);
             const Index place = cells[e];
             const SignedIndex* const first = regions.data() + place * corners;
             std::size_t not_later = 0;  // counting avoids unpredictable branches
@@ -373,4 +373,4 @@ bool VoronoiBuilder::is_ridge(VertexId s, VertexId t, std::span<const Index> sta
   return true;
 }
 
-}  // namespace delone
+}  // namespace delone::voronoi

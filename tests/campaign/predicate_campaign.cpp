@@ -28,6 +28,9 @@
 #include <vector>
 
 namespace delone::campaign {
+
+using internal::StageCounts;
+
 namespace {
 
 using kernel::Flat;
@@ -184,7 +187,7 @@ void Campaign::spheres(const Simplex<Int>& truth, const std::vector<Row>& simple
   const Sign upward = form == RowForm::furthest_point ? Sign::negative : Sign::positive;
 
   // Stage filter: one cell, made of the points.
-  CellMemory<K> memory(K);
+  cells::CellMemory<K> memory(K);
   memory.reserve(2);
   memory.prepare(2);
   std::vector<double> coordinates(low.size(), 0.0);  // of vertex 0
@@ -339,7 +342,7 @@ void Campaign::hull_filter(const Simplex<Int>& truth, const std::vector<const do
       is_inside = kernel::orientation(Flat{K, axes}, moved) == truth.orientation();
     }
     if (!is_inside) return;
-    CellMemory<K - 1> memory(K - 1);
+    cells::CellMemory<K - 1> memory(K - 1);
     memory.reserve(1);
     memory.prepare(1);
     sites::BoundarySites sites(K);

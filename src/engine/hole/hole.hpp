@@ -142,7 +142,7 @@ class Hole {
     const auto [number, is_new] = numbers_.insert(v, static_cast<std::uint32_t>(ids_.size()));
     if (is_new) {
       ids_.push_back(v);
-      delone::prefetch(geometry.point(v));
+      internal::prefetch(geometry.point(v));
     }
     return number;
   }

@@ -30,7 +30,7 @@ class FacetTable {
 
   std::size_t size() const { return size_; }
   [[gnu::always_inline]] void prefetch(std::uint64_t key) const {
-    delone::prefetch_for_writing(&lines_[place(key)]);
+    internal::prefetch_for_writing(&lines_[place(key)]);
   }
 
   /// Prefetches the line beside that of a key, if the key may be there or may go there. The key's own line
@@ -39,7 +39,7 @@ class FacetTable {
     const std::size_t home = place(key);
     const Line& line = lines_[home];
     const std::uint64_t overflows = line.num_beside | line.keys[room - 1];  // 0, or not; no branch
-    delone::prefetch_for_writing(
+    internal::prefetch_for_writing(
         &lines_[home ^ static_cast<std::size_t>((overflows | (0 - overflows)) >> 63)]);
   }
 
@@ -132,7 +132,7 @@ class FacetTable {
     return none;
   }
 
-  explicit FacetTable(std::size_t lines) : lines_(Pages::large), num_lines_(lines) {
+  explicit FacetTable(std::size_t lines) : lines_(internal::Pages::large), num_lines_(lines) {
     lines_.reserve(lines);
     std::fill_n(lines_.data(), lines, Line{});
   }
@@ -172,7 +172,7 @@ class FacetTable {
   }
   std::size_t place(std::uint64_t key) const { return Line::place(key, num_lines_); }
 
-  GrowableArray<Line> lines_;
+  internal::GrowableArray<Line> lines_;
   std::size_t num_lines_;  // a power of two
   std::unordered_map<std::uint64_t, std::uint32_t> elsewhere_;
   std::size_t size_ = 0;

@@ -32,6 +32,8 @@
 
 namespace delone::engine {
 
+using internal::StageCounts;
+
 /// PartSize: the number of cells that a thread checks at a time, a multiple of 64.
 template <int K, Geometry G, Index PartSize = 8192>
 class Proof {
@@ -307,15 +309,15 @@ class Proof {
     for (Index begin = 0; begin < K; begin += 4) {
       const FourIds number = FourIds{0, 1, 2, 3} + begin, bit = FourIds{1, 2, 4, 8} << begin;
       const FourIds v =
-          select(number < static_cast<Index>(slot), four_ids(a + begin), four_ids(a + begin + 1));
-      same |= select(four_ids(b + begin) == v, bit, FourIds{});
-      next |= select(four_ids(b + begin + 1) == v, bit, FourIds{});
+          internal::select(number < static_cast<Index>(slot), four_ids(a + begin), four_ids(a + begin + 1));
+      same |= internal::select(four_ids(b + begin) == v, bit, FourIds{});
+      next |= internal::select(four_ids(b + begin + 1) == v, bit, FourIds{});
     }
     const auto together = [](FourIds x) { return (x[0] | x[1] | x[2] | x[3]) & all; };
     const int mirror = std::countr_one(together(same));
     return together(next) >> mirror == all >> mirror ? mirror : -1;
   }
-  using FourIds = Lanes<Index, 4>;
+  using FourIds = internal::Lanes<Index, 4>;
   static FourIds four_ids(const Index* from) {
     FourIds ids;
     std::memcpy(&ids, from, sizeof ids);

@@ -31,8 +31,8 @@ namespace delone::engine {
 
 /// Finds what is beyond facets, with enough certainty for a proposal.
 template <class S>
-concept SearchBeyondFacets = requires(S search, Index* vertices, std::span<const OpenCell> cells,
-                                      Index* apexes, ComparisonLimit& limit) {
+concept SearchBeyondFacets = requires(S search, Index* vertices, std::span<const cells::OpenCell> cells,
+                                      Index* apexes, cells::ComparisonLimit& limit) {
   /// The k+1 vertices of a cell to start from. Returns whether one was found.
   { search.first_cell(vertices) } -> std::same_as<bool>;
   /// For up to S::batch_size cells, k+1 apexes each: across each open facet the vertex of the cell there that
@@ -106,9 +106,9 @@ class Wrapping {
   struct Block {
     std::size_t num_cells = 0, num_open = 0;
     std::array<Index, block_size> cells;
-    std::array<OpenCell, block_size> open;
+    std::array<cells::OpenCell, block_size> open;
     std::array<Index, block_size*(K + 1)> vertices, apexes;
-    ComparisonLimit comparisons;
+    cells::ComparisonLimit comparisons;
   };
   struct Blocks {
     std::uint32_t prepare(unsigned block) { return wrapping.take_cells(wrapping.blocks_[block]); }
@@ -168,7 +168,7 @@ class Wrapping {
       // Without a branch, as open facets are unpredictable: an open facet is linked with itself.
       const std::uint32_t open = 0u - static_cast<std::uint32_t>(made.mirrors[i] == FacetTable::none);
       made.mirrors[i] = (facet(made.cell, i) & open) | (made.mirrors[i] & ~open);
-      delone::prefetch_for_writing(cells_.neighbors(made.mirrors[i] / (K + 1)));
+      internal::prefetch_for_writing(cells_.neighbors(made.mirrors[i] / (K + 1)));
     }
     return made.key % 256 != 0 || sample_.insert(made.key).second;
   }

@@ -121,12 +121,13 @@ bool FacetSearch::first_cell(Index* vertices) const {
   return true;
 }
 
-bool FacetSearch::find_apexes(std::span<const OpenCell> cells, Index* apexes, ComparisonLimit& limit) {
+bool FacetSearch::find_apexes(std::span<const cells::OpenCell> cells, Index* apexes,
+                              cells::ComparisonLimit& limit) {
   const auto k = static_cast<std::size_t>(k_), width = k + 1;
   double* const functions = at_cache_line(scratch_.data());
   std::array<const Index*, batch_size> simplices;
   std::transform(cells.begin(), cells.end(), simplices.begin(),
-                 [](const OpenCell& cell) { return cell.vertices; });
+                 [](const cells::OpenCell& cell) { return cell.vertices; });
   solve_simplices({k_, {simplices.data(), cells.size()}, rows_, functions});
 
   float* const images = at_cache_line(images_.data());
@@ -182,7 +183,7 @@ bool FacetSearch::find_apexes(std::span<const OpenCell> cells, Index* apexes, Co
 }
 
 std::optional<Index> FacetSearch::settle(const SearchTask& task, const SoughtFacet& facet, double* functions,
-                                         const Scale& scale, ComparisonLimit& limit) {
+                                         const Scale& scale, cells::ComparisonLimit& limit) {
   const auto k = static_cast<std::size_t>(k_), width = k + 1;
   if (!(scale.spread < largest_spread && scale.height < largest_spread)) return std::nullopt;
   if (facet.num_listed == 0) return index(infinite_vertex);

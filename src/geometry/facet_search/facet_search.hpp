@@ -41,7 +41,7 @@ class FacetSearch {
   /// infinite_vertex if there is none; other entries are not written. `limit` counts the vertices that the
   /// arbiter has to compare. Returns false on a tie, and where the limit is exceeded. Cost O(k³ + n·k·facets)
   /// per cell.
-  bool find_apexes(std::span<const OpenCell> cells, Index* apexes, ComparisonLimit& limit);
+  bool find_apexes(std::span<const cells::OpenCell> cells, Index* apexes, cells::ComparisonLimit& limit);
 
  private:
   /// Bounds on the magnitudes of a cell's functions in the frame's box.
@@ -57,7 +57,7 @@ class FacetSearch {
   };
   /// The apex by binary64 or the arbiter.
   std::optional<Index> settle(const SearchTask& task, const SoughtFacet& facet, double* functions,
-                              const Scale& scale, ComparisonLimit& limit);
+                              const Scale& scale, cells::ComparisonLimit& limit);
 
   int k_;
   const double* rows_;

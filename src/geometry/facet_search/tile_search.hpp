@@ -50,7 +50,7 @@ struct SearchTask {
   const float* images;      ///< and lifts, at a cache line
   std::size_t tile_blocks;  ///< a multiple of most_together
   float* heights;           ///< scratch memory: the functional at the vertices of a tile, at a cache line
-  std::span<const OpenCell> cells;
+  std::span<const cells::OpenCell> cells;
   const float* height_functions;  ///< of each cell, k + 1 numbers
   std::span<SoughtFacet> facets;  ///< in the order of their cells
 };

@@ -24,12 +24,11 @@
 
 namespace delone {
 
-using internal::BoundarySites;
-using internal::HullAnalysis;
-using internal::HullLocator;
-using internal::HullState;
-using internal::SimplicialHull;
-using internal::TolerantHull;
+using compiled::SimplicialHull;
+using hull::HullAnalysis;
+using hull::HullLocator;
+using hull::HullState;
+using hull::TolerantHull;
 
 namespace {
 
@@ -136,7 +135,7 @@ struct Polytope::Impl {
       throw Error(Errc::invalid_argument, "extreme points alone are inserted into an empty hull only");
     if (!check_points(coordinates)) return {};
     if (options.tolerance > 0)
-      if (auto necessary = internal::find_necessary_hull(coordinates, dimension, options)) {
+      if (auto necessary = hull::find_necessary_hull(coordinates, dimension, options)) {
         auto made = std::make_unique<const TolerantHull>(*necessary->state, options.tolerance);
         std::vector<SignedIndex> rows(necessary->rows.begin(), necessary->rows.end());
         analysis_of_state.reset();
@@ -145,7 +144,7 @@ struct Polytope::Impl {
         has_vertices_only = true;
         return rows;
       }
-    internal::ExtremeHull hull = internal::find_extreme_hull(coordinates, dimension, options);
+    hull::ExtremeHull hull = hull::find_extreme_hull(coordinates, dimension, options);
     std::vector<SignedIndex> rows(hull.rows.begin(), hull.rows.end());
     // What is shown with a tolerance depends on the extreme points alone.
     std::unique_ptr<const TolerantHull> made;
@@ -189,8 +188,8 @@ struct Polytope::Impl {
     if (!analysis_of_state) {
       const HullState& of = shown_when_locked();
       const double distance = tolerant ? tolerant->max_distance() : 0;
-      analysis_of_state = std::make_unique<HullAnalysis>(
-          of, internal::HullTolerance{options.tolerance, distance}, options.threads);
+      analysis_of_state = std::make_unique<HullAnalysis>(of, hull::HullTolerance{options.tolerance, distance},
+                                                         options.threads);
     }
     return *analysis_of_state;
   }
@@ -204,7 +203,7 @@ struct Polytope::Impl {
   bool in_flat(const double* q) const {
     const kernel::AffineHull& flat = shown().affine_hull();
     return flat.dimension() == dimension || flat.contains(q) ||
-           (options.tolerance > 0 && internal::is_near_flat(flat.basis(), q, dimension, options.tolerance));
+           (options.tolerance > 0 && hull::is_near_flat(flat.basis(), q, dimension, options.tolerance));
   }
   kernel::Grid grid_with(const double* q) const {
     kernel::Grid grid = shown().sites().grid;
@@ -284,7 +283,7 @@ Measure Polytope::area() const {
 }
 std::vector<std::size_t> Polytope::f_vector() const {
   return impl_->analyse([&](const HullAnalysis& analysis) {
-    return internal::count_faces(analysis.facet_sites(), affine_dimension());
+    return hull::count_faces(analysis.facet_sites(), affine_dimension());
   });
 }
 
@@ -310,7 +309,7 @@ Containment Polytope::locate(const AnyPoint<>& query) const {
     facets.push_back(analysis.faces().facet_of_cell[c]);
   std::sort(facets.begin(), facets.end());
   facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
-  for (const Index site : internal::common_vertices(analysis.facet_sites(), facets))
+  for (const Index site : hull::common_vertices(analysis.facet_sites(), facets))
     result.face.push_back(impl_->state->row(site));
   return result;
 }
@@ -343,29 +342,29 @@ std::vector<SignedIndex> Polytope::visible_facets(const AnyPoint<>& query) const
 
 CanonicalHash Polytope::hash() const {
   const SimplicialHull& hull = impl_->hull();
-  const BoundarySites& sites = impl_->state->sites();
+  const sites::BoundarySites& sites = impl_->state->sites();
   const unsigned threads = impl_->options.threads;
-  internal::HashAccumulator hash;
+  complex::HashAccumulator hash;
   std::vector<char> is_corner(sites.size(), 0);
   for (const Index site : hull.cells) is_corner[site] = 1;
   if (affine_dimension() == 0) is_corner[impl_->shown().basis()[0]] = 1;
-  std::vector<internal::PointTag> tags(sites.size());
-  internal::add_in_parts(
-      threads, sites.size(), hash, [&](std::size_t first, std::size_t last, internal::HashAccumulator& some) {
+  std::vector<complex::PointTag> tags(sites.size());
+  complex::add_in_parts(
+      threads, sites.size(), hash, [&](std::size_t first, std::size_t last, complex::HashAccumulator& some) {
         for (std::size_t site = first; site < last; ++site) {
           if (is_corner[site] == 0) continue;
-          tags[site] = internal::point_tag(sites.point(static_cast<Index>(site)), dimension());
+          tags[site] = complex::point_tag(sites.point(static_cast<Index>(site)), dimension());
           some.add_vertex(tags[site]);
         }
       });
-  internal::add_in_parts(threads, hull.num_cells(), hash,
-                         [&](std::size_t first, std::size_t last, internal::HashAccumulator& some) {
-                           for (std::size_t c = first; c < last; ++c) {
-                             internal::PointTag sum;
-                             for (const Index site : hull.cell(c)) sum += tags[site];
-                             some.add_cell(sum);
-                           }
-                         });
+  complex::add_in_parts(threads, hull.num_cells(), hash,
+                        [&](std::size_t first, std::size_t last, complex::HashAccumulator& some) {
+                          for (std::size_t c = first; c < last; ++c) {
+                            complex::PointTag sum;
+                            for (const Index site : hull.cell(c)) sum += tags[site];
+                            some.add_cell(sum);
+                          }
+                        });
   return hash.finish(dimension(), affine_dimension());
 }
 

@@ -18,13 +18,12 @@
 namespace delone {
 namespace {
 
-using internal::HullAnalysis;
-using internal::HullMeasures;
-using internal::HullState;
-using internal::SimplicialHull;
+using hull::HullAnalysis;
+using hull::HullMeasures;
+using hull::HullState;
 
 /// Appends the hull of one set, whose rows begin at first_row.
-void append(const internal::ExtremeHull& hull, std::size_t first_row, ConvexHulls& all) {
+void append(const hull::ExtremeHull& hull, std::size_t first_row, ConvexHulls& all) {
   const HullState& state = *hull.state;
   const int d = all.dimension, k = state.affine_hull().dimension();
   const HullAnalysis analysis(state);
@@ -38,7 +37,7 @@ void append(const internal::ExtremeHull& hull, std::size_t first_row, ConvexHull
     if (k == 0 || is_extreme[site] != 0) all.vertices.push_back(row(site));
   std::sort(all.vertices.begin() + first_vertex, all.vertices.end());
   if (k == d) {
-    const SimplicialHull& boundary = state.hull();
+    const compiled::SimplicialHull& boundary = state.hull();
     const auto first_cell = static_cast<SignedIndex>(all.cells.size() / static_cast<std::size_t>(d));
     for (const Index site : boundary.cells) all.cells.push_back(row(site));
     for (const Index cell : boundary.neighbors)
@@ -102,8 +101,8 @@ ConvexHulls convex_hulls(const AnyPoints<>& points, int dimension, std::span<con
     limits.guard([&] {
       for (std::size_t i = 0; i + 1 < offsets.size(); ++i) {
         const std::size_t n = offsets[i + 1] - offsets[i];
-        append(internal::find_extreme_hull(coordinates.subspan(offsets[i] * d, n * d), dimension,
-                                           n <= small ? of_small : of_each),
+        append(hull::find_extreme_hull(coordinates.subspan(offsets[i] * d, n * d), dimension,
+                                       n <= small ? of_small : of_each),
                offsets[i], all);
         progress(i + 1);
       }

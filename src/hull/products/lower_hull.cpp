@@ -85,8 +85,8 @@ struct Envelope::Impl {
     build_polytope(lowest, low, high, options);
     if (tolerance == 0) return;
     internal::ProgressMeter meter(options.progress, 0);
-    internal::EnvelopeChoice choice = internal::choose_envelope(projected, static_cast<int>(corners()),
-                                                                vertices, tolerance, [&] { meter(0); });
+    hull::EnvelopeChoice choice =
+        hull::choose_envelope(projected, static_cast<int>(corners()), vertices, tolerance, [&] { meter(0); });
     max_distance = choice.max_distance;
     if (choice.rows.size() == vertices.size()) return;
     rows_of_polytope = std::move(choice.rows);
@@ -298,8 +298,8 @@ std::vector<double> Envelope::heights(const AnyPoints<>& compositions) const {
   std::vector<double> result;
   hull.for_each_query(compositions.coordinates(), hull.ambient() - 1,
                       [&](const double* q, const std::optional<Impl::Found>& found, const auto&) {
-                        const double height = found ? internal::height_over_cell(hull.simplex_of(found->cell),
-                                                                                 found->on_face, q, width)
+                        const double height = found ? hull::height_over_cell(hull.simplex_of(found->cell),
+                                                                             found->on_face, q, width)
                                                     : std::numeric_limits<double>::infinity();
                         result.push_back(hull.height_sign() * height + 0.0);
                       });
@@ -318,8 +318,7 @@ std::vector<double> Envelope::height_above(const AnyPoints<>& points, double tol
     simplex.insert(simplex.begin(), q);
     Sign sign = kernel::orientation<0>(hull.flat(), simplex.data(), grid);
     if (hull.reversed || hull.corners() == 1) sign = -sign;  // of one vertex, the cell is the lower end
-    return internal::height_above_cell(std::span(simplex).subspan(1), found->on_face, q, width, sign,
-                                       tolerance);
+    return hull::height_above_cell(std::span(simplex).subspan(1), found->on_face, q, width, sign, tolerance);
   };
   hull.for_each_query(
       points.coordinates(), hull.ambient(),

@@ -14,7 +14,7 @@
 #include <queue>
 #include <utility>
 
-namespace delone::internal {
+namespace delone::hull {
 
 namespace {
 
@@ -194,7 +194,7 @@ bool Cover::complete(const std::vector<char>& allowed) {
   using Entry = std::pair<double, std::int64_t>;  // of equal bounds the first point comes first
   std::priority_queue<Entry> queue;
   for (std::size_t p = 0; p < points_.size(); ++p)
-    if (!states_[p].is_kept && !cover(static_cast<Index>(p), infinity))
+    if (!states_[p].is_kept && !cover(static_cast<Index>(p), internal::infinity))
       queue.emplace(states_[p].upper, -static_cast<std::int64_t>(p));
   while (!queue.empty()) {
     const auto p = static_cast<Index>(-queue.top().second);
@@ -279,4 +279,4 @@ double Cover::max_distance() {
   return 0;
 }
 
-}  // namespace delone::internal
+}  // namespace delone::hull

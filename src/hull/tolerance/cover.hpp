@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 
 /// Points are named by their numbers. For each point that is not kept there is a *witness* once it is
 /// covered: at most dimension + 1 kept points whose hull it is within the tolerance of.
@@ -79,4 +79,4 @@ class Cover {
   std::vector<Index> near_, local_;
 };
 
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -11,7 +11,7 @@
 #include <optional>
 #include <utility>
 
-namespace delone::internal {
+namespace delone::hull {
 
 namespace {
 
@@ -222,4 +222,4 @@ EnvelopeChoice choose_envelope(std::span<const double> points, int width,
   return choice.result(rows);
 }
 
-}  // namespace delone::internal
+}  // namespace delone::hull

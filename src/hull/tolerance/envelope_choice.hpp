@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 
 struct EnvelopeChoice {
   std::vector<SignedIndex> rows;  ///< in lexicographic order of their points
@@ -35,4 +35,4 @@ EnvelopeChoice choose_envelope(std::span<const double> points, int width,
                                std::span<const SignedIndex> vertices, double tolerance,
                                const std::function<void()>& alive);
 
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -13,7 +13,7 @@
 #include <numeric>
 #include <utility>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 constexpr double unit = kernel::unit_roundoff;
@@ -63,9 +63,9 @@ class Search {
     const SimplicialHull& hull = state.hull();
     std::vector<double> sums(state.sites().size() * d_, 0.0), normal(d_);
     for (std::size_t c = 0; c < hull.num_cells(); ++c) {
-      const double threshold = hyperplane(*boundary().engine(), hull.slots[c], normal.data());
+      const double threshold = compiled::hyperplane(*boundary().engine(), hull.slots[c], normal.data());
       const double length = std::sqrt(std::inner_product(normal.begin(), normal.end(), normal.begin(), 0.0));
-      if (!(threshold < 0x1p-20 && length > 0 && length < infinity)) continue;
+      if (!(threshold < 0x1p-20 && length > 0 && length < internal::infinity)) continue;
       for (const Index site : hull.cell(c))
         for (std::size_t j = 0; j < d_; ++j) sums[site * d_ + j] += normal[j] / length;
     }
@@ -134,7 +134,7 @@ class Search {
   std::span<const double> coordinates_;
   std::size_t d_, n_;
   double tolerance_;
-  ProgressMeter meter_;
+  internal::ProgressMeter meter_;
   PointSieve sieve_;
   kernel::NearestInHull nearest_;
 };
@@ -149,4 +149,4 @@ std::optional<NecessaryHull> find_necessary_hull(std::span<const double> coordin
   return Search(coordinates, dimension, options).run();
 }
 
-}  // namespace delone::internal
+}  // namespace delone::hull

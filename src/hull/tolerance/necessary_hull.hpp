@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 
 struct NecessaryHull {
   std::unique_ptr<HullState> state;  ///< the exact hull of the necessary points; the other rows are covered
@@ -34,4 +34,4 @@ struct NecessaryHull {
 std::optional<NecessaryHull> find_necessary_hull(std::span<const double> coordinates, int dimension,
                                                  const Options& options);
 
-}  // namespace delone::internal
+}  // namespace delone::hull

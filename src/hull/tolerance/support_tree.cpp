@@ -19,7 +19,7 @@
 #include <tuple>
 #include <utility>
 
-namespace delone::internal {
+namespace delone::hull {
 
 namespace {
 
@@ -187,7 +187,7 @@ void SupportTree::list(Node& node) const {
 SupportTree::Support SupportTree::support(const double* q, std::span<const double> n,
                                           std::span<const Index> guess) const {
   const double rounding = 1.01 * static_cast<double>(d_ + 2) * kernel::unit_roundoff;
-  Support result{infinity, infinity, invalid_index};
+  Support result{internal::infinity, internal::infinity, invalid_index};
   const auto include = [&](Index w) {
     double product = 0, parts = 0;
     for (std::size_t j = 0; j < d_; ++j) {
@@ -198,7 +198,7 @@ SupportTree::Support SupportTree::support(const double* q, std::span<const doubl
     if (product < result.least || (product == result.least && w < result.point) ||
         result.point == invalid_index)
       result.least = product, result.point = w;
-    const double certain = std::isfinite(parts) ? product - rounding * parts : -infinity;
+    const double certain = std::isfinite(parts) ? product - rounding * parts : -internal::infinity;
     result.certain = std::min(result.certain, certain);
   };
   for (const Index w : guess) include(w);
@@ -206,7 +206,7 @@ SupportTree::Support SupportTree::support(const double* q, std::span<const doubl
   Index stack[64];
   double bounds[64];
   std::size_t size = 0;
-  bounds[size] = -infinity;
+  bounds[size] = -internal::infinity;
   stack[size++] = 0;
   while (size > 0) {
     const Index at = stack[--size];
@@ -217,8 +217,8 @@ SupportTree::Support SupportTree::support(const double* q, std::span<const doubl
       for (Index i = 0; i < node.num_in; ++i) include(node.listed[i]);
       continue;
     }
-    const double left = nodes_[node.left].num_in == 0 ? infinity : bound(node.left, q, n);
-    const double right = nodes_[node.right].num_in == 0 ? infinity : bound(node.right, q, n);
+    const double left = nodes_[node.left].num_in == 0 ? internal::infinity : bound(node.left, q, n);
+    const double right = nodes_[node.right].num_in == 0 ? internal::infinity : bound(node.right, q, n);
     const bool left_first = left <= right;
     bounds[size] = left_first ? right : left;
     stack[size++] = left_first ? node.right : node.left;
@@ -228,4 +228,4 @@ SupportTree::Support SupportTree::support(const double* q, std::span<const doubl
   return result;
 }
 
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 
 /// A tree over points, halved again and again along the longest edge of their box, with a slab around the
 /// points of each node. Points are named by their numbers; some are *in*, none at first. What it answers is a
@@ -58,4 +58,4 @@ class SupportTree {
       slabs_;  // by node: center, direction across, greatest extent in it, and orthogonal to it
 };
 
-}  // namespace delone::internal
+}  // namespace delone::hull

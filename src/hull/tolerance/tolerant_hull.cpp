@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 
 namespace {
 
@@ -42,7 +42,7 @@ TolerantHull::TolerantHull(const HullState& exact, const Options& options, bool 
   const int k = exact.affine_hull().dimension();
   if (k < 1) return;
   const std::function<bool(double)> nobody;
-  ProgressMeter meter(shows_progress ? options.progress : nobody, 0);
+  internal::ProgressMeter meter(shows_progress ? options.progress : nobody, 0);
   const std::function<void()> alive = [&] { meter(0); };
   const HullAnalysis analysis(exact);
   const ExtremeSites extreme(exact.sites(), analysis.facet_sites());
@@ -67,4 +67,4 @@ TolerantHull::TolerantHull(const HullState& exact, const Options& options, bool 
   own_ = std::make_unique<const HullState>(exact, vertices, std::move(axes), quiet);
 }
 
-}  // namespace delone::internal
+}  // namespace delone::hull

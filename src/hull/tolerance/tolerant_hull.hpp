@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace delone::internal {
+namespace delone::hull {
 
 /// The exact hull of some vertices of a hull, or the hull of their projections if all points are near a flat.
 class TolerantHull {
@@ -29,4 +29,4 @@ class TolerantHull {
   double max_distance_ = 0;
 };
 
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 bool is_less(const double* a, const double* b, int dimension) {
@@ -207,4 +207,4 @@ std::optional<NearFlatChoice> choose_in_flat(const BoundarySites& sites, const E
   return std::nullopt;
 }
 
-}  // namespace delone::internal
+}  // namespace delone::hull

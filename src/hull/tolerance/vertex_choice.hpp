@@ -15,7 +15,9 @@
 #include <optional>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
+
+using sites::BoundarySites;
 
 /// The extreme sites of a hull in lexicographic order of their points, and which of them share a facet of it.
 /// A site is named by its place in this order.
@@ -82,4 +84,4 @@ std::optional<NearFlatChoice> choose_in_flat(const BoundarySites& sites, const E
                                              int dimension, double tolerance,
                                              const std::function<void()>& alive);
 
-}  // namespace delone::internal
+}  // namespace delone::hull

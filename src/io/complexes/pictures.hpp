@@ -4,14 +4,11 @@
 #pragma once
 
 #include <delone/data.hpp>
+#include <delone/voronoi.hpp>
 
 #include <cstdint>
 #include <optional>
 #include <span>
-
-namespace delone {
-class Diagram;
-}
 
 namespace delone::io {
 

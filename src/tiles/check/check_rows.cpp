@@ -52,16 +52,16 @@ void RowChecker::add(const CheckedPart& part, Findings& findings) {
 
   // A tag of a cell is the sum of those of its vertices.
   const std::size_t d = static_cast<std::size_t>(index_.dimension), v = tile.rows.size();
-  std::vector<internal::PointTag> tags(v), weighted_tags(index_.weighted ? v : 0);
+  std::vector<complex::PointTag> tags(v), weighted_tags(index_.weighted ? v : 0);
   std::vector<double> point(row_size_);
   std::vector<std::int64_t> record(2 + row_size_);
   for (std::size_t i = 0; i < v; ++i) {
     std::copy_n(part.data.points.begin() + static_cast<std::ptrdiff_t>(i * d), d, point.begin());
     if (index_.weighted) {
       point[d] = part.data.weights[i];
-      weighted_tags[i] = internal::point_tag(point.data(), index_.dimension + 1);
+      weighted_tags[i] = complex::point_tag(point.data(), index_.dimension + 1);
     }
-    tags[i] = internal::point_tag(point.data(), index_.dimension);
+    tags[i] = complex::point_tag(point.data(), index_.dimension);
     record[0] = tile.rows[i];
     record[1] = number;
     for (std::size_t j = 0; j < row_size_; ++j) record[2 + j] = std::bit_cast<std::int64_t>(point[j]);
@@ -70,7 +70,7 @@ void RowChecker::add(const CheckedPart& part, Findings& findings) {
   std::vector<bool> is_used(v, false);
   for (std::size_t c = 0; c < part.data.num_cells(); ++c) {
     internal::cancellation_point();
-    internal::PointTag sum, weighted_sum;
+    complex::PointTag sum, weighted_sum;
     for (std::size_t i = 0; i < part.corners(); ++i) {
       const auto vertex = static_cast<std::size_t>(part.data.cells[c * part.corners() + i]);
       is_used[vertex] = true;
@@ -160,9 +160,9 @@ void RowChecker::match_bucket(std::size_t bucket, Findings&) {
       get_point(place[at]);
       if (input_ != nullptr && !std::equal(point.begin(), point.end(), input_of(row)))
         refuse("has other coordinates in the input");
-      hash_.add_vertex(internal::point_tag(point.data(), index_.dimension));
+      hash_.add_vertex(complex::point_tag(point.data(), index_.dimension));
       if (index_.weighted) {
-        weighted_hash_.add_vertex(internal::point_tag(point.data(), index_.dimension + 1));
+        weighted_hash_.add_vertex(complex::point_tag(point.data(), index_.dimension + 1));
         const double weight = point[row_size_ - 1];
         least_weight_ = num_vertices_ == 0 ? weight : std::min(least_weight_, weight);
         largest_weight_ = num_vertices_ == 0 ? weight : std::max(largest_weight_, weight);

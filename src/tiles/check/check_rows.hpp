@@ -40,7 +40,7 @@ class RowChecker {
   RecordBuckets owned_;   ///< row, part, vertex of the row
   RecordBuckets seen_;    ///< row, part, coordinates and weight: the vertices of cells
   RecordBuckets merged_;  ///< vertex, the row that was merged into it
-  internal::HashAccumulator hash_, weighted_hash_;
+  complex::HashAccumulator hash_, weighted_hash_;
   std::int64_t num_vertices_ = 0, num_duplicates_ = 0, num_hidden_ = 0;
   double least_weight_ = 0, largest_weight_ = 0;
 };

@@ -9,7 +9,7 @@
 #include <limits>
 #include <random>
 
-namespace delone {
+namespace delone::internal {
 namespace {
 
 using Integer = boost::multiprecision::cpp_int;
@@ -92,4 +92,4 @@ TEST(Compiler, PrefetchesAnyAddress) {
 }
 
 }  // namespace
-}  // namespace delone
+}  // namespace delone::internal

@@ -9,7 +9,7 @@
 #include <new>
 #include <utility>
 
-namespace delone {
+namespace delone::internal {
 namespace {
 
 TEST(GrowableArray, KeepsEntriesAcrossHeapAndMappedMemory) {
@@ -102,4 +102,4 @@ TEST(GrowableArray, ImpossibleMemoryChangesNothing) {
 }
 
 }  // namespace
-}  // namespace delone
+}  // namespace delone::internal

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-namespace delone {
+namespace delone::internal {
 namespace {
 
 double length(std::initializer_list<double> x) {
@@ -43,4 +43,4 @@ TEST(LengthOf, IsInfiniteIfAComponentIsNotFinite) {
 }
 
 }  // namespace
-}  // namespace delone
+}  // namespace delone::internal

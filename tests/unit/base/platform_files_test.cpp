@@ -13,7 +13,7 @@
 #include <string_view>
 #include <utility>
 
-namespace delone {
+namespace delone::internal {
 namespace {
 
 using platform::RawFile;
@@ -123,4 +123,4 @@ TEST(PlatformFiles, TellWhetherThereIsRoom) {
 }
 
 }  // namespace
-}  // namespace delone
+}  // namespace delone::internal

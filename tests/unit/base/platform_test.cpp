@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace delone {
+namespace delone::internal {
 namespace {
 
 constexpr std::size_t page = platform::usual_page;
@@ -84,4 +84,4 @@ TEST(PriceOfLargePages, DearPagesAreSoonTooMuchForAll) {
 }
 
 }  // namespace
-}  // namespace delone
+}  // namespace delone::internal

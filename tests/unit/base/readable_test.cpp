@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace delone {
+namespace delone::internal {
 namespace {
 
 TEST(Readable, Bytes) {
@@ -37,4 +37,4 @@ TEST(Readable, Seconds) {
 }
 
 }  // namespace
-}  // namespace delone
+}  // namespace delone::internal

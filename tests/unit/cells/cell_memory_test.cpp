@@ -6,7 +6,7 @@
 
 #include <bit>
 
-namespace delone {
+namespace delone::cells {
 namespace {
 
 Index vertex_of(Index cell, int i) { return cell * 100 + static_cast<Index>(i) + 1; }
@@ -90,4 +90,4 @@ TEST(MarkBits, LeaveAllOthersAlone) {
 }
 
 }  // namespace
-}  // namespace delone
+}  // namespace delone::cells

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace delone {
+namespace delone::cells {
 namespace {
 
 constexpr double coefficient(Index cell, int i) { return 10.0 * cell + i; }
@@ -86,4 +86,4 @@ TEST(MoveCells, EveryCellIsWhereItWasToGo) {
 }
 
 }  // namespace
-}  // namespace delone
+}  // namespace delone::cells

@@ -10,7 +10,7 @@
 #include <numeric>
 #include <vector>
 
-namespace delone {
+namespace delone::compiled {
 namespace {
 
 struct Some {
@@ -59,4 +59,4 @@ TEST(EngineCopies, GoTheirOwnWays) {
 }
 
 }  // namespace
-}  // namespace delone
+}  // namespace delone::compiled

@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-namespace delone {
+namespace delone::complex {
 namespace {
 
 /// Two triangles on a unit square.
@@ -129,10 +129,10 @@ TEST(CanonicalHash, RefusesWhatIsNoTriangulation) {
 
 TEST(PointTag, OfEqualPointsIsEqual) {
   const double a[] = {1, -0.0}, b[] = {1, 0.0}, c[] = {0.0, 1};
-  EXPECT_EQ(internal::point_tag(a, 2), internal::point_tag(b, 2));
-  EXPECT_FALSE(internal::point_tag(b, 2) == internal::point_tag(c, 2));
-  EXPECT_FALSE(internal::point_tag(b, 1) == internal::point_tag(b, 2));
+  EXPECT_EQ(point_tag(a, 2), point_tag(b, 2));
+  EXPECT_FALSE(point_tag(b, 2) == point_tag(c, 2));
+  EXPECT_FALSE(point_tag(b, 1) == point_tag(b, 2));
 }
 
 }  // namespace
-}  // namespace delone
+}  // namespace delone::complex

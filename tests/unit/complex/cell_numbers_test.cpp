@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace delone {
+namespace delone::complex {
 namespace {
 
 void expect_rows_of_data(const Triangulation& t) {
@@ -72,4 +72,4 @@ TEST(CellNumbers, OfChosenCells) {
 }
 
 }  // namespace
-}  // namespace delone
+}  // namespace delone::complex

@@ -11,7 +11,7 @@
 
 #include <set>
 
-namespace delone {
+namespace delone::complex {
 namespace {
 
 class ComplexOf : public ::testing::TestWithParam<std::pair<int, int>> {  // affine dimension, dimension
@@ -153,4 +153,4 @@ TEST(CanonicalHashText, IsThirtyTwoDigits) {
 }
 
 }  // namespace
-}  // namespace delone
+}  // namespace delone::complex

@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-namespace delone {
+namespace delone::complex {
 namespace {
 
 TEST(DataKind, NamesAreDistinctAndFound) {
@@ -32,4 +32,4 @@ TEST(DataKind, OtherNamesAreNone) {
 }
 
 }  // namespace
-}  // namespace delone
+}  // namespace delone::complex

@@ -30,7 +30,7 @@ std::size_t num_allocations = 0;
 [[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
-namespace delone {
+namespace delone::complex {
 namespace {
 
 TEST(Iteration, AllocatesNothing) {
@@ -82,4 +82,4 @@ TEST(Iteration, RefusesIdsOutOfRangeWhenHardened) {
 }
 
 }  // namespace
-}  // namespace delone
+}  // namespace delone::complex

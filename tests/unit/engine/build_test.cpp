@@ -34,7 +34,7 @@ TEST(Insert, ThatFailsLeavesNoStarAndNoMarks) {
   const std::vector<double> points{0, 0, 0, 0, 8, 0, 0, 8, 2, 2, 3, 3, 0, 6};  // that of vertex 0 is a dummy
   kernel::Grid grid(2);
   for (std::size_t i = 2; i < points.size(); i += 2) grid.include(points.data() + i);
-  Build<2, FailingGeometry> build(2, VertexIds::wide, std::vector<int>{0, 1}, 2, points, grid,
+  Build<2, FailingGeometry> build(2, cells::VertexIds::wide, std::vector<int>{0, 1}, 2, points, grid,
                                   geometry::Frame({0, 0}, {8, 8}));
   FailingGeometry& geometry = build.geometry();
   geometry.set_rows(6);
@@ -79,8 +79,8 @@ TEST(Insert, PutsCellsWhereThoseWereThatTheyAreMadeFrom) {
   kernel::Grid grid(3);
   for (std::size_t i = 3; i < points.size(); i += 3) grid.include(points.data() + i);
   const double last = side - 1;
-  Build<3, geometry::DelaunayGeometry<3>> build(3, VertexIds::wide, std::vector<int>{0, 1, 2}, 3, points,
-                                                grid, geometry::Frame({0, 0, 0}, {last, last, last}));
+  Build<3, geometry::DelaunayGeometry<3>> build(3, cells::VertexIds::wide, std::vector<int>{0, 1, 2}, 3,
+                                                points, grid, geometry::Frame({0, 0, 0}, {last, last, last}));
   CellStore<3>& cells = build.cells();
   auto& geometry = build.geometry();
   const Workspace& work = build.workspace();

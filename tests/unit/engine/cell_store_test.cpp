@@ -9,6 +9,9 @@
 #include <utility>
 
 namespace delone::engine {
+
+using cells::VertexIds;
+
 namespace {
 
 TEST(CellStore, ReusesReleasedSlots) {
@@ -63,7 +66,7 @@ TEST(CellStore, DimensionsAtRunTimeHaveTheSameLayout) {
 
 /// What a test writes to cells: nothing of one is in its neighbors.
 Index test_vertex(Index cell, int i) {
-  return last_narrow_vertex - 10 * (cell % 6000) - static_cast<Index>(i);
+  return cells::last_narrow_vertex - 10 * (cell % 6000) - static_cast<Index>(i);
 }
 template <int K>
 void fill(CellMemory<K>& memory, CellStore<K>& cells, Index cell) {
@@ -109,21 +112,21 @@ void expect_widening_keeps_all() {
       }
     };
     expect_all();
-    cells.admit_vertices(last_narrow_vertex);
-    ASSERT_EQ(memory.layout().is_narrow(), may_be_narrow(K));
+    cells.admit_vertices(cells::last_narrow_vertex);
+    ASSERT_EQ(memory.layout().is_narrow(), cells::may_be_narrow(K));
     CellMemory<K> other_memory(K);
     CellStore<K> other(other_memory);
     other_memory.copy(memory, cells.num_slots());
     other.copy_slots(cells);
-    cells.admit_vertices(last_narrow_vertex + 1);
+    cells.admit_vertices(cells::last_narrow_vertex + 1);
     ASSERT_FALSE(memory.layout().is_narrow());
     expect_all();
-    ASSERT_EQ(other_memory.layout().is_narrow(), may_be_narrow(K));
+    ASSERT_EQ(other_memory.layout().is_narrow(), cells::may_be_narrow(K));
     if (count > 1) expect_filled(other_memory, other, 1);
     other.widen_vertices();
     if (count > 1) expect_filled(other_memory, other, 1);
-    cells.set_vertex(0, 1, last_narrow_vertex + 1);
-    EXPECT_EQ(cells.vertex(0, 1), last_narrow_vertex + 1);
+    cells.set_vertex(0, 1, cells::last_narrow_vertex + 1);
+    EXPECT_EQ(cells.vertex(0, 1), cells::last_narrow_vertex + 1);
     cells.reserve(10);
     for (Index i = 0; i < 10; ++i) fill(memory, cells, cells.allocate());
     for (Index cell = 1; cell < cells.num_slots(); ++cell) {
@@ -219,7 +222,7 @@ TEST(CellStore, MarksLiveBesideTheCertificate) {
   CellStore<3> cells(memory);
   cells.reserve(2);
   const Index cell = cells.allocate(), other = cells.allocate();
-  const double certificate = std::bit_cast<double>(~mark_bits::all);
+  const double certificate = std::bit_cast<double>(~cells::mark_bits::all);
   *memory.records().certificate(cell) = *memory.records().certificate(other) = certificate;
   auto marks = cells.marks();
   for (const Mark mark : {Mark::in_conflict, Mark::not_in_conflict, Mark::unseen}) {
@@ -227,7 +230,7 @@ TEST(CellStore, MarksLiveBesideTheCertificate) {
     EXPECT_EQ(marks(cell), mark);
     EXPECT_EQ(marks(other), Mark::unseen);
   }
-  EXPECT_EQ(std::bit_cast<std::uint64_t>(*memory.records().certificate(cell)), ~mark_bits::all);
+  EXPECT_EQ(std::bit_cast<std::uint64_t>(*memory.records().certificate(cell)), ~cells::mark_bits::all);
   marks.set_if(cell, false);
   EXPECT_EQ(marks(cell), Mark::unseen);
   marks.set_if(cell, true);

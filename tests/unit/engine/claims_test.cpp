@@ -16,12 +16,12 @@ constexpr Index num_cells = 100;
 /// Cells of dimension K, in which bytes have room or not.
 template <int K>
 struct Cells {
-  explicit Cells(unsigned workers) : memory(K, VertexIds::narrow), table(workers) {
+  explicit Cells(unsigned workers) : memory(K, cells::VertexIds::narrow), table(workers) {
     memory.reserve(num_cells);
     table.cover(memory);
     table.clear(0, num_cells);
   }
-  CellMemory<K> memory;
+  cells::CellMemory<K> memory;
   ClaimTable table;
 };
 

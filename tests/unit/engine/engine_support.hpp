@@ -24,7 +24,8 @@ struct Points {
   Points(const std::vector<double>& rows, int ambient, double low, double high, bool weighted = false)
       : coordinates(width(ambient, weighted), 0.0),
         grid(ambient, weighted),
-        build(K, VertexIds::wide, axes(), ambient, with(rows), grid, frame(ambient, low, high, weighted)) {
+        build(K, cells::VertexIds::wide, axes(), ambient, with(rows), grid,
+              frame(ambient, low, high, weighted)) {
     build.geometry().set_rows(static_cast<Index>(coordinates.size() / width(ambient, weighted)) - 1);
   }
   Points(const Points&) = delete;

@@ -4,6 +4,7 @@
 #include "engine_support.hpp"
 
 namespace delone::engine {
+
 namespace {
 
 /// Vertices 1 … 9 are inserted: a square and points in it. 10 … 13 are queries: two inside, one beyond the

@@ -20,6 +20,9 @@
 #include <vector>
 
 namespace delone::engine {
+
+using cells::VertexIds;
+
 namespace {
 
 /// Expects that neighbors are the two cells of a facet, for all facets.
@@ -73,7 +76,7 @@ std::vector<std::vector<Index>> links(Index n, double grid_size, int rounds, Ver
   for (const Index v : others) build.insert(v);
   const CellStore<K>& cells = build.cells();
   EXPECT_EQ(cells.links_of_complex().narrow_vertices,
-            ids == VertexIds::narrow && unused + n <= last_narrow_vertex);
+            ids == VertexIds::narrow && unused + n <= cells::last_narrow_vertex);
   expect_neighbors_share_facets(cells);
   // Which slot a cell is in depends on when slots become vacant.
   std::vector<std::vector<Index>> all;
@@ -101,12 +104,12 @@ void expect_neighbors_are_linked(Index n, double grid_size) {
   const auto in_one_round = links<K>(n, grid_size, 1);  // what it leaves, by its vertices
   EXPECT_GT(in_one_round.size(), static_cast<std::size_t>(n));
   EXPECT_EQ(in_one_round, links<K>(n, grid_size, 6));
-  if constexpr (may_be_narrow(K)) {
+  if constexpr (cells::may_be_narrow(K)) {
     EXPECT_EQ(in_one_round, links<K>(n, grid_size, 6, VertexIds::narrow));
     EXPECT_EQ(in_one_round, links<K>(n, grid_size, 1, VertexIds::narrow));
-    EXPECT_EQ(in_one_round, links<K>(n, grid_size, 6, VertexIds::narrow, last_narrow_vertex - n));
+    EXPECT_EQ(in_one_round, links<K>(n, grid_size, 6, VertexIds::narrow, cells::last_narrow_vertex - n));
     EXPECT_EQ(in_one_round, links<K>(n, grid_size, 6, VertexIds::narrow,
-                                     last_narrow_vertex - n / 2));  // they are made wide
+                                     cells::last_narrow_vertex - n / 2));  // they are made wide
   }
 }
 

@@ -17,6 +17,9 @@
 #include <vector>
 
 namespace delone::engine {
+
+using cells::VertexIds;
+
 namespace {
 
 /// Points by their vertices; the engine inserts them in turn.

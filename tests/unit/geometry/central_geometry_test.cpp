@@ -17,6 +17,7 @@
 #include <vector>
 
 namespace delone::geometry {
+
 namespace {
 
 /// Points of R^3, seen from a centre.
@@ -42,7 +43,7 @@ struct Hull {
   }
   Index size() const { return static_cast<Index>(sites.size()); }
 
-  sites::BoundarySites sites;
+  BoundarySites sites;
   CentralView view;
   CellMemory<2> memory;
   std::optional<CentralGeometry<2>> geometry;
@@ -167,7 +168,7 @@ struct Cone {
     geometry.emplace(memory, sites, view, std::vector<Index>{1, 2, 3});
     geometry->update_box();
   }
-  sites::BoundarySites sites;
+  BoundarySites sites;
   CentralView view;
   CellMemory<1> memory;
   std::optional<CentralGeometry<1>> geometry;

@@ -27,7 +27,7 @@ TEST(Certificate, PacksToTheSafeSide) {
     EXPECT_LE(field(packed, 32), 1.02 * x);
     EXPECT_LE(field(packed, 48), x);
     EXPECT_GE(field(packed, 48), 0.98 * x);
-    EXPECT_EQ(packed & mark_bits::all, 0u);
+    EXPECT_EQ(packed & cells::mark_bits::all, 0u);
   }
   EXPECT_GT(certificate::threshold(certificate::pack(1e-300, 1e-300, 1e-300, true)), 1e-300);
   EXPECT_GT(field(certificate::pack(1, 1e-300, 1, true), 32), 1e-300);

@@ -27,7 +27,7 @@ struct Built {
   Built(std::vector<double> coordinates)
       : points(K, 0.0),
         grid(K),
-        build(K, ids_for(coordinates.size() / K), all_axes(), K, points, grid, frame(coordinates)),
+        build(K, cells::ids_for(coordinates.size() / K), all_axes(), K, points, grid, frame(coordinates)),
         geometry(build.geometry()) {
     kernel::AffineHull hull(K);
     std::vector<Index> simplex, others;

@@ -201,7 +201,7 @@ template <int K>
 class Store {
  public:
   Store(const Point<K>& apex, std::size_t count)
-      : memory_(K, count % 2 == 0 ? VertexIds::narrow : VertexIds::wide) {
+      : memory_(K, count % 2 == 0 ? cells::VertexIds::narrow : cells::VertexIds::wide) {
     append(apex);
     memory_.reserve(count);
     memory_.prepare(count);
@@ -265,7 +265,7 @@ class Store {
 
  private:
   std::vector<double> rows_ = std::vector<double>(K + 1);
-  CellMemory<K> memory_;
+  cells::CellMemory<K> memory_;
   std::vector<Index> ids_;
   std::vector<bool> is_infinite_;
   std::vector<double> lift_weight_ = std::vector<double>(K, 1.0);

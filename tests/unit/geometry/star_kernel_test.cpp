@@ -226,8 +226,8 @@ void expect_right_triangulation(const Sample& sample, std::uint64_t seed, Tally&
   std::vector<int> axes(K);
   std::iota(axes.begin(), axes.end(), 0);
   const Frame frame(low, high, sample.weighted ? kernel::RowForm::weighted_point : kernel::RowForm::point);
-  engine::Build<K, Recording<DelaunayGeometry<K>>> build(K, ids_for(n), axes, sample.ambient, coordinates,
-                                                         grid, frame);
+  engine::Build<K, Recording<DelaunayGeometry<K>>> build(K, cells::ids_for(n), axes, sample.ambient,
+                                                         coordinates, grid, frame);
   engine::CellStore<K>& cells = build.cells();
   Recording<DelaunayGeometry<K>>& geometry = build.geometry();
 
@@ -334,7 +334,7 @@ void expect_right_hull(const Sample& sample, std::uint64_t seed, Tally& tally) {
     for (std::size_t j = 0; j < size; ++j) center[j] += points[(v - 1) * size + j] / (K + 2);
   grid.include(center.data());
 
-  sites::BoundarySites sites(sample.ambient);
+  BoundarySites sites(sample.ambient);
   sites.coordinates = points;
   sites.axes = axes;
   CentralView view(grid);
@@ -344,7 +344,7 @@ void expect_right_hull(const Sample& sample, std::uint64_t seed, Tally& tally) {
     view.low.push_back(low[static_cast<std::size_t>(axis)]);
     view.high.push_back(high[static_cast<std::size_t>(axis)]);
   }
-  engine::Build<K, Recording<CentralGeometry<K>>> build(K, ids_for(n), sites, view, simplex);
+  engine::Build<K, Recording<CentralGeometry<K>>> build(K, cells::ids_for(n), sites, view, simplex);
   engine::CellStore<K>& cells = build.cells();
   Recording<CentralGeometry<K>>& geometry = build.geometry();
   geometry.update_box();

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace delone::internal {
+namespace delone::halfspaces {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -137,8 +137,8 @@ TEST(DualPoint, SeenFromAFraction) {
 }
 
 TEST(DualPoint, AtTheEndsOfTheRange) {
-  EXPECT_THAT(dual_of({1e300, -1e-300}, {{0}, {}}), ElementsAre(infinity, 0));
-  EXPECT_THAT(dual_of({-1e300, -1e-300}, {{0}, {}}), ElementsAre(-infinity, 0));
+  EXPECT_THAT(dual_of({1e300, -1e-300}, {{0}, {}}), ElementsAre(internal::infinity, 0));
+  EXPECT_THAT(dual_of({-1e300, -1e-300}, {{0}, {}}), ElementsAre(-internal::infinity, 0));
   EXPECT_THAT(dual_of({1e-300, -1e300}, {{0}, {}}), ElementsAre(0, 0));
   expect_close({1e300, -1e300, -1e300}, {{0.5, 0.25}, {}});
   expect_close({1e-300, 3e-300, -7e-300}, {{0.5, 0.25}, {}});
@@ -148,4 +148,4 @@ TEST(DualPoint, AtTheEndsOfTheRange) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::halfspaces

@@ -15,7 +15,7 @@
 #include <cstdint>
 #include <numeric>
 
-namespace delone::internal {
+namespace delone::halfspaces {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -66,7 +66,7 @@ std::vector<Rational> solve(const Rows& rows) {
 /// No neighboring double is closer, and of two that are equally close the even one is taken.
 void expect_nearest(double x, const Rational& exact) {
   const Rational error = abs(Rational(x) - exact);
-  for (const double end : {-infinity, infinity}) {
+  for (const double end : {-internal::infinity, internal::infinity}) {
     const Rational other = abs(Rational(std::nextafter(x, end)) - exact);
     EXPECT_LE(error, other) << x;
     if (error == other) {
@@ -101,8 +101,8 @@ TEST(MeetingPoint, RoundsTiesToEven) {
 }
 
 TEST(MeetingPoint, AtTheEndsOfTheRange) {
-  EXPECT_THAT(meeting({{1e-300, -1e300}}), ElementsAre(infinity));
-  EXPECT_THAT(meeting({{1e-300, 1e300}}), ElementsAre(-infinity));
+  EXPECT_THAT(meeting({{1e-300, -1e300}}), ElementsAre(internal::infinity));
+  EXPECT_THAT(meeting({{1e-300, 1e300}}), ElementsAre(-internal::infinity));
   EXPECT_THAT(meeting({{1e300, -1e-300}}), ElementsAre(0));
   EXPECT_THAT(meeting({{0x1p-1074, -0x1p-1073}}), ElementsAre(2));
   EXPECT_THAT(meeting({{0x1p1000, 0x1p-80, 0}, {0, 1, -0x1p199}}), ElementsAre(-0x1p-881, 0x1p199));
@@ -196,4 +196,4 @@ TEST(LinealityBasis, SpansTheKernel) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::halfspaces

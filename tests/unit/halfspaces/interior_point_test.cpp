@@ -13,7 +13,7 @@
 #include <limits>
 #include <numeric>
 
-namespace delone::internal {
+namespace delone::halfspaces {
 namespace {
 
 using ::testing::ElementsAre;
@@ -202,4 +202,4 @@ TEST(InteriorPoint, OfDegenerateRows) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::halfspaces

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <set>
 
-namespace delone::internal {
+namespace delone::halfspaces {
 namespace {
 
 using ::testing::DoubleNear;
@@ -184,4 +184,4 @@ TEST(IntersectionParts, WithoutRowsAreAllOfSpace) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::halfspaces

@@ -13,7 +13,7 @@
 #include <numeric>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::halfspaces {
 namespace {
 
 constexpr std::size_t many = 2100;
@@ -173,4 +173,4 @@ TEST(SitesToInsert, LaterRowsMayComeCloser) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::halfspaces

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 void expect_right(const char* generator, std::size_t n, std::vector<std::size_t> rounds) {
@@ -56,4 +56,4 @@ TEST(Boundary, IsThatOfOneThread) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::hull

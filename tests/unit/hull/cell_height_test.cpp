@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -170,4 +170,4 @@ TEST(HeightOfPlane, IsDecidedAtTheLastBit) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::hull

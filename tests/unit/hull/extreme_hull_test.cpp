@@ -15,7 +15,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 using Cells = std::vector<std::vector<Index>>;
@@ -89,4 +89,4 @@ TEST(ExtremeHull, DecidesRoundedFacetsExactly) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::hull

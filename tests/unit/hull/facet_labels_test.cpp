@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 using ::testing::ElementsAre;
@@ -77,4 +77,4 @@ TEST(FacetLabels, EndsOfASegmentStayApart) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 TEST(FlatDistance, IsDecidedAtTheLastBit) {
@@ -98,4 +98,4 @@ TEST(FlatDistance, OfThinCells) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::hull

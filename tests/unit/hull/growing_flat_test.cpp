@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 using ::testing::ElementsAre;
@@ -36,4 +36,4 @@ TEST(GrowingFlat, OfCoincidentPointsHasNoLength) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::hull

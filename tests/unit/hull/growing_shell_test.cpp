@@ -9,7 +9,7 @@
 #include <cmath>
 #include <random>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 std::vector<double> points_of(int d, std::size_t n, std::uint64_t seed, double unit) {
@@ -72,4 +72,4 @@ TEST(GrowingShell, NeedsModerateNumbers) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::hull

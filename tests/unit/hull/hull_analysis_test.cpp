@@ -8,7 +8,7 @@
 
 #include <stdexcept>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 using ::testing::ElementsAre;
@@ -86,4 +86,4 @@ TEST(HullAnalysis, OfOnePointAndOfNone) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -8,7 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace delone::internal {
+namespace delone::hull {
+
 namespace {
 
 using ::testing::ElementsAre;
@@ -117,4 +118,4 @@ TEST(HullFaces, OfLatticeCubes) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -10,7 +10,8 @@
 #include <cmath>
 #include <limits>
 
-namespace delone::internal {
+namespace delone::hull {
+
 namespace {
 
 using ::testing::ElementsAre;
@@ -125,4 +126,4 @@ TEST(WalkCones, FindsEachCellOfALatticeCube) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::hull

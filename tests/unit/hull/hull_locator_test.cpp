@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 using ::testing::ElementsAre;
@@ -31,7 +31,7 @@ struct Located {
   Sign side(const std::vector<double>& q) const { return locate(q).side; }
   Sign side_of(std::size_t cell, const std::vector<double>& q) const {
     std::vector<const double*> scratch;
-    return side_of_cell(state.sites(), state.hull(), cell, q.data(), grid_with(q), scratch);
+    return compiled::side_of_cell(state.sites(), state.hull(), cell, q.data(), grid_with(q), scratch);
   }
   /// cells_on_side() and what a search of all cells gives.
   void expect_cells_on_side(Sign side, const std::vector<double>& q) const {
@@ -131,4 +131,4 @@ TEST(HullLocator, OfAFlatHull) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -15,7 +15,7 @@
 #include <limits>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -186,4 +186,4 @@ TEST(FacetEquations, OfFlatInputHaveNoBound) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 class HullNormalIn : public ::testing::TestWithParam<int> {};
@@ -44,7 +44,7 @@ TEST_P(HullNormalIn, WhatIsCertainIsRight) {
       ++all;
       if (sign == Sign::zero) continue;
       ++certain;
-      EXPECT_EQ(sign, side_of_sites(sites, cell, q, sites.grid, scratch));
+      EXPECT_EQ(sign, compiled::side_of_sites(sites, cell, q, sites.grid, scratch));
     }
   }
   EXPECT_GT(certain, all / 20);  // most of these points are duplicates, on one hyperplane, or next to it
@@ -127,4 +127,4 @@ TEST_P(HullNormalIn, EquationsVanishOnTheirFacets) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::hull

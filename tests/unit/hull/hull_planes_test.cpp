@@ -15,7 +15,7 @@
 #include <numeric>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 void check(int dimension, double scale, double offset) {
@@ -46,7 +46,7 @@ void check(int dimension, double scale, double offset) {
         double value = 0;
         for (std::size_t j = 0; j < d; ++j)
           value += planes.functions.normals[f * d + j] * (x[j] - box.center[j]);
-        const Sign side = side_of_cell(state.sites(), hull, f, x.data(), grid, scratch);
+        const Sign side = compiled::side_of_cell(state.sites(), hull, f, x.data(), grid, scratch);
         if (value < planes.low[f]) {
           ASSERT_EQ(side, Sign::positive);
           ++inside;
@@ -99,4 +99,4 @@ TEST(HullPlanes, ProveNothingWithoutANormal) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::hull

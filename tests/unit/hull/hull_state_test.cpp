@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 using Coordinates = std::vector<double>;
@@ -145,4 +145,4 @@ TEST(HullState, RowsWithoutASiteAreComparedWithLaterOnes) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::hull

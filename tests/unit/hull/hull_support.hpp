@@ -12,7 +12,10 @@
 #include <utility>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
+
+using compiled::SimplicialHull;
+using sites::BoundarySites;
 
 /// Sites on the given axes of R^dimension, all of them by default.
 inline BoundarySites sites_of(int dimension, std::vector<double> coordinates, std::vector<int> axes = {}) {
@@ -46,4 +49,4 @@ inline SimplicialHull hull_of(int k, std::vector<Index> cells) {
   return hull;
 }
 
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 TEST(InsertionPlaces, AreThoseOfVertices) {
@@ -23,4 +23,4 @@ TEST(InsertionPlaces, AreThoseOfVertices) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 using ::testing::ElementsAre;
@@ -63,4 +63,4 @@ TEST(OutermostSites, HoldForAFlatBoxAndForTheEndsOfTheRange) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -16,7 +16,7 @@
 #include <map>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 std::size_t check(const std::vector<double>& rows, int dimension) {
@@ -91,4 +91,4 @@ TEST(PointSieve, HasNoShellForFlatAndExtremeInput) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::hull

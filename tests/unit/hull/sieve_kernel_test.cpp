@@ -11,7 +11,7 @@
 #include <limits>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 /// Entries are small multiples of 1/8: all values are exact, in any order of summation.
@@ -92,4 +92,4 @@ TEST(SieveKernel, ThreadsFindTheSame) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 TEST(SievedRows, KnowEqualRowsAmongThemselves) {
@@ -26,4 +26,4 @@ TEST(SievedRows, KnowEqualRowsAmongThemselves) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::hull

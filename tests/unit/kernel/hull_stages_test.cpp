@@ -22,6 +22,7 @@
 #include <vector>
 
 namespace delone::kernel {
+
 namespace {
 
 constexpr double tiny = std::numeric_limits<double>::denorm_min();

@@ -21,6 +21,7 @@
 #include <vector>
 
 namespace delone::kernel {
+
 namespace {
 
 RowCase weighted(int dimension, std::vector<double> all) {

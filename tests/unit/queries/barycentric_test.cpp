@@ -13,7 +13,7 @@
 #include <limits>
 #include <numeric>
 
-namespace delone::internal {
+namespace delone::queries {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -156,4 +156,4 @@ TEST(Gradients, OfThinAndOfHugeSimplices) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::queries

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::queries {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -137,4 +137,4 @@ TEST(CellMinors, AreWithinTheirBound) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::queries

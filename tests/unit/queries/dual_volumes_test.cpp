@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace delone::internal {
+namespace delone::queries {
 namespace {
 
 using kernel::Integer;
@@ -101,4 +101,4 @@ TEST(DualVolumes, ErrorsBoundTheEffectOfDelta) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::queries

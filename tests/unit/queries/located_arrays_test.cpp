@@ -13,7 +13,7 @@
 #include <cmath>
 #include <vector>
 
-namespace delone {
+namespace delone::queries {
 namespace {
 
 struct Arrays {
@@ -95,4 +95,4 @@ TEST(LocatedArrays, OnlyWhatIsWanted) {
 }
 
 }  // namespace
-}  // namespace delone
+}  // namespace delone::queries

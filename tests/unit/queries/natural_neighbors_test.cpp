@@ -13,7 +13,7 @@
 #include <cmath>
 #include <map>
 
-namespace delone {
+namespace delone::queries {
 namespace {
 
 using ::testing::ElementsAre;
@@ -341,4 +341,4 @@ TEST(NaturalNeighborInterpolator, RefusesBadTolerances) {
 }
 
 }  // namespace
-}  // namespace delone
+}  // namespace delone::queries

@@ -19,7 +19,7 @@
 #include <optional>
 #include <set>
 
-namespace delone::internal {
+namespace delone::queries {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -420,4 +420,4 @@ TEST(NaturalSearch, OnlyForDelaunay) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::queries

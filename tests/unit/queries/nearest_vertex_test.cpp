@@ -18,7 +18,7 @@
 #include <numeric>
 #include <set>
 
-namespace delone {
+namespace delone::queries {
 namespace {
 
 using ::testing::ElementsAre;
@@ -232,4 +232,4 @@ TEST(PointLocatorEdges, AreTheNeighborsOfEachVertex) {
 }
 
 }  // namespace
-}  // namespace delone
+}  // namespace delone::queries

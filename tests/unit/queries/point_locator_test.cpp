@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace delone {
+namespace delone::queries {
 namespace {
 
 using ::testing::ElementsAre;
@@ -211,4 +211,4 @@ TEST(PointLocator, PassesExceptionsOn) {
 }
 
 }  // namespace
-}  // namespace delone
+}  // namespace delone::queries

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace delone::internal {
+namespace delone::queries {
 namespace {
 
 TEST(FitGradients, SolvesTheNormalEquations) {
@@ -88,4 +88,4 @@ TEST(EstimateGradients, OfASinglePointAreZero) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::queries

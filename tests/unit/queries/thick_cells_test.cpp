@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::queries {
 namespace {
 
 std::vector<const double*> rows(const std::vector<double>& points, std::size_t d) {
@@ -47,4 +47,4 @@ TEST(ThickCells, CellsAreDecidedOnceAndExactly) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::queries

@@ -22,7 +22,7 @@
 #include <thread>
 #include <vector>
 
-namespace delone {
+namespace delone::queries {
 namespace {
 
 std::vector<unsigned> numbers_of_threads() {
@@ -261,4 +261,4 @@ TEST(QueryThreads, SeveralBatchesAtOnce) {
 }
 
 }  // namespace
-}  // namespace delone
+}  // namespace delone::queries

@@ -18,7 +18,7 @@
 #include <random>
 #include <vector>
 
-namespace delone {
+namespace delone::queries {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -532,4 +532,4 @@ TEST(TolerantLocation, BadTolerances) {
 }
 
 }  // namespace
-}  // namespace delone
+}  // namespace delone::queries

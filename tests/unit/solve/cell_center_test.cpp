@@ -13,7 +13,7 @@
 #include <limits>
 #include <numeric>
 
-namespace delone::internal {
+namespace delone::solve {
 namespace {
 
 class CenterOfDimension : public ::testing::TestWithParam<int> {};
@@ -161,4 +161,4 @@ TEST_P(CenterOfDimension, BlocksEqualSingleCells) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::solve

@@ -19,7 +19,7 @@
 #include <vector>
 
 HWY_BEFORE_NAMESPACE();
-namespace delone::internal {
+namespace delone::solve {
 namespace HWY_NAMESPACE {
 namespace {
 
@@ -227,5 +227,5 @@ TEST(Lanes, HaveTheBitsOfDoubles) {
 
 }  // namespace
 }  // namespace HWY_NAMESPACE
-}  // namespace delone::internal
+}  // namespace delone::solve
 HWY_AFTER_NAMESPACE();

@@ -45,7 +45,7 @@ std::set<std::vector<std::int64_t>> cells_of(const ComplexData& data) {
 
 template <class Whole>
 void expect_same(const std::vector<FinishedTile>& tiles, const Whole& whole, bool weights_differ) {
-  internal::HashAccumulator hash;
+  complex::HashAccumulator hash;
   std::int64_t vertices = 0, duplicates = 0, hidden = 0;
   for (const FinishedTile& tile : tiles) {
     hash.add(weights_differ ? tile.weighted_hash : tile.hash);

@@ -68,9 +68,9 @@ inline std::vector<delone::tiles::FinishedTile> cut_into_tiles(const delone::Com
       } else {
         ++tile.num_vertices;
         const std::vector<double> point = weighted_row(data, row);
-        tile.hash.add_vertex(delone::internal::point_tag(point.data(), data.dimension));
+        tile.hash.add_vertex(delone::complex::point_tag(point.data(), data.dimension));
         if (data.weights.empty()) continue;
-        tile.weighted_hash.add_vertex(delone::internal::point_tag(point.data(), data.dimension + 1));
+        tile.weighted_hash.add_vertex(delone::complex::point_tag(point.data(), data.dimension + 1));
         tile.least_weight = has_vertex ? std::min(tile.least_weight, point[d]) : point[d];
         tile.largest_weight = has_vertex ? std::max(tile.largest_weight, point[d]) : point[d];
         has_vertex = true;
@@ -78,7 +78,7 @@ inline std::vector<delone::tiles::FinishedTile> cut_into_tiles(const delone::Com
     }
     for (std::size_t c = 0; c < m; ++c) {
       if (tile_of_cell[c] != t) continue;
-      delone::internal::PointTag sum, weighted_sum;
+      delone::complex::PointTag sum, weighted_sum;
       for (std::size_t i = 0; i < corners; ++i) {
         const auto row = static_cast<std::size_t>(data.cells[c * corners + i]);
         const std::vector<double> point = weighted_row(data, row);
@@ -91,9 +91,9 @@ inline std::vector<delone::tiles::FinishedTile> cut_into_tiles(const delone::Com
           if (tile_of_row[row] != t) ++tile.num_foreign;
         }
         tile.data.cells[number_of_cell[c] * corners + i] = number_of_row[row];
-        sum += delone::internal::point_tag(point.data(), data.dimension);
+        sum += delone::complex::point_tag(point.data(), data.dimension);
         if (!data.weights.empty())
-          weighted_sum += delone::internal::point_tag(point.data(), data.dimension + 1);
+          weighted_sum += delone::complex::point_tag(point.data(), data.dimension + 1);
         const SignedIndex across = data.neighbors[c * corners + i];
         bool knows_facet = false;
         for (std::size_t j = 0; j < corners; ++j)
@@ -121,7 +121,7 @@ inline std::vector<delone::tiles::FinishedTile> cut_into_tiles(const delone::Com
 inline std::vector<std::size_t> scattered_tiles(const delone::ComplexData& data, std::size_t num_tiles) {
   std::vector<std::size_t> tiles;
   for (std::size_t row = 0; row < data.num_points(); ++row)
-    tiles.push_back(delone::internal::point_tag(
+    tiles.push_back(delone::complex::point_tag(
                         data.points.data() + row * static_cast<std::size_t>(data.dimension), data.dimension)
                         .high %
                     num_tiles);

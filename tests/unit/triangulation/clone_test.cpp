@@ -11,7 +11,7 @@
 
 #include <vector>
 
-namespace delone {
+namespace delone::triangulation {
 namespace {
 
 template <class T>
@@ -69,4 +69,4 @@ TEST(Clone, OfFurthestSitesAndWeightedPoints) {
 }
 
 }  // namespace
-}  // namespace delone
+}  // namespace delone::triangulation

@@ -9,7 +9,7 @@
 #include <array>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::triangulation {
 namespace {
 
 using Point2 = std::array<double, 2>;
@@ -38,4 +38,4 @@ TEST(StoredPoints, IncludeHiddenOnesAndWeights) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::triangulation

@@ -10,7 +10,7 @@
 
 #include <limits>
 
-namespace delone {
+namespace delone::triangulation {
 namespace {
 
 TEST(TakenPoints, GiveTheSameTriangulation) {
@@ -79,4 +79,4 @@ TEST(TakenPoints, StayAfterAnError) {
 }
 
 }  // namespace
-}  // namespace delone
+}  // namespace delone::triangulation

@@ -18,7 +18,7 @@
 #include <random>
 #include <set>
 
-namespace delone {
+namespace delone::triangulation {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -319,4 +319,4 @@ TEST(Trim, ExtremeScales) {
 }
 
 }  // namespace
-}  // namespace delone
+}  // namespace delone::triangulation

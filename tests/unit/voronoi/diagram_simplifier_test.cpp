@@ -17,7 +17,7 @@
 #include <random>
 #include <set>
 
-namespace delone {
+namespace delone::voronoi {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -497,4 +497,4 @@ TEST(DiagramSimplifier, PowerDiagrams) {
 }
 
 }  // namespace
-}  // namespace delone
+}  // namespace delone::voronoi

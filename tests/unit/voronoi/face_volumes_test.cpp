@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::voronoi {
 namespace {
 
 /// The volume of the image of [−1, 1]^d by the map whose columns are e_j + slant·e_0, and whether it is
@@ -118,4 +118,4 @@ TEST(FaceVolumes, OfRidgesAreThoseOfHulls) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::voronoi

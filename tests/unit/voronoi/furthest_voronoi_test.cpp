@@ -15,7 +15,7 @@
 #include <numeric>
 #include <vector>
 
-namespace delone {
+namespace delone::voronoi {
 namespace {
 
 using ::testing::HasSubstr;
@@ -164,4 +164,4 @@ TEST(FurthestVoronoi, FaultsAreFound) {
 }
 
 }  // namespace
-}  // namespace delone
+}  // namespace delone::voronoi

@@ -11,7 +11,7 @@
 #include <numeric>
 #include <set>
 
-namespace delone::internal {
+namespace delone::voronoi {
 namespace {
 
 using ::testing::ElementsAre;
@@ -187,4 +187,4 @@ TEST(RegionClipper, PartitionsTheBox) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::voronoi

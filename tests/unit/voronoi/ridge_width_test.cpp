@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-namespace delone::internal {
+namespace delone::voronoi {
 namespace {
 
 std::vector<const double*> rows(const std::vector<double>& x, std::size_t d) {
@@ -70,4 +70,4 @@ TEST(RidgeWidth, InfiniteVertices) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::voronoi

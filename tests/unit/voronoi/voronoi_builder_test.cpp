@@ -11,7 +11,7 @@
 #include <cmath>
 #include <set>
 
-namespace delone {
+namespace delone::voronoi {
 namespace {
 
 using ::testing::ElementsAre;
@@ -174,4 +174,4 @@ TEST(VoronoiBuilder, NumbersOutOfRangeAreRefusedWhenHardened) {
 }
 
 }  // namespace
-}  // namespace delone
+}  // namespace delone::voronoi

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-namespace delone {
+namespace delone::voronoi {
 namespace {
 
 std::vector<double> random_rows(std::size_t count) {
@@ -73,4 +73,4 @@ TEST(VoronoiThreads, ALatticeWhoseCellsMerge) {
 }
 
 }  // namespace
-}  // namespace delone
+}  // namespace delone::voronoi

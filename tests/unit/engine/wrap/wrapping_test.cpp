@@ -30,6 +30,9 @@
 #include <vector>
 
 namespace delone::engine {
+
+using sites::VertexPoints;
+
 namespace {
 
 using Coordinates = std::vector<double>;
@@ -56,7 +59,7 @@ class GrowingHull {
   GrowingHull(int k, const Coordinates& all, std::size_t count)
       : all_(all), points_(k, kernel::RowForm::point), width_(static_cast<std::size_t>(k)) {
     while (points_.last_vertex() < count) append();
-    engine_ = make_triangulation_engine(all_axes(k), points_, frame_of(k, all), {}, false);
+    engine_ = compiled::make_triangulation_engine(all_axes(k), points_, frame_of(k, all), {}, false);
   }
 
   bool wrap(unsigned threads = 1) {
@@ -128,7 +131,7 @@ class GrowingHull {
   const Coordinates& all_;
   VertexPoints points_;
   std::size_t width_;
-  std::unique_ptr<TriangulationEngine> engine_;
+  std::unique_ptr<compiled::TriangulationEngine> engine_;
 };
 
 /// Wraps all points but the last ones, and inserts those; where that fails, all are inserted. Returns whether
@@ -653,7 +656,7 @@ TEST(PointInOneCell, NoticesTwoTurnsAboutAVertex) {
     ASSERT_TRUE(proposed.propose(fan(5 * turns)));
     ASSERT_TRUE(proposed.is_proved());
     ASSERT_TRUE(proposed.propose(fan(5 * turns)));
-    const auto point = find_point_in_one_cell(proposed.cells, proposed.geometry, proposed.points);
+    const auto point = compiled::find_point_in_one_cell(proposed.cells, proposed.geometry, proposed.points);
     EXPECT_EQ(point && proposed.is_proved(*point), turns == 1);
   }
 }

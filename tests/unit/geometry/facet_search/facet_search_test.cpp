@@ -15,6 +15,10 @@
 #include <vector>
 
 namespace delone::geometry {
+
+using cells::ComparisonLimit;
+using cells::OpenCell;
+
 namespace {
 
 /// Rows of points: themselves, and the sums of their squares.

@@ -63,7 +63,7 @@ struct Batch {
   std::size_t k, num_blocks;
   std::vector<float> images, heights, height_function, beyond;
   std::vector<Index> vertices;
-  OpenCell cell;
+  cells::OpenCell cell;
   SoughtFacet facet;
 };
 

@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace delone {
+namespace delone::hull {
 namespace {
 
 TEST(ConvexHulls, AreThoseOfSingleSets) {
@@ -85,4 +85,4 @@ TEST(ConvexHulls, BadInputIsAnError) {
 }
 
 }  // namespace
-}  // namespace delone
+}  // namespace delone::hull

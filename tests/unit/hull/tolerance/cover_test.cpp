@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 using ::testing::ElementsAre;
@@ -155,4 +155,4 @@ TEST(Cover, NoneOfThoseKeptCanBeLeftOut) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::hull

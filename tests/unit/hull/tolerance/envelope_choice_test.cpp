@@ -12,7 +12,7 @@
 #include <random>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 using ::testing::ElementsAre;
@@ -63,4 +63,4 @@ TEST(EnvelopeChoice, NoPointIsFartherBelow) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::hull

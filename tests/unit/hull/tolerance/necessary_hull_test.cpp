@@ -16,7 +16,7 @@
 #include <random>
 #include <set>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 std::vector<double> random_points(int d, std::size_t n, std::uint64_t seed) {
@@ -140,4 +140,4 @@ TEST(NecessaryHull, CanBeCancelled) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::hull

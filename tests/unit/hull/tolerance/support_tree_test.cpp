@@ -12,7 +12,7 @@
 #include <random>
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 struct Example {
@@ -124,4 +124,4 @@ TEST(SupportTree, IsUncertainWhereProductsOverflow) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::hull

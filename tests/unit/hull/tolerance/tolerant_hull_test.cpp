@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 HullState state_of(int d, const std::vector<double>& points) {
@@ -53,4 +53,4 @@ TEST(TolerantHull, CanBeCancelled) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::hull

@@ -12,7 +12,7 @@
 #include <optional>
 #include <random>
 
-namespace delone::internal {
+namespace delone::hull {
 namespace {
 
 using ::testing::ElementsAre;
@@ -132,4 +132,4 @@ TEST(VertexChoice, OfALineAndOfAPoint) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::hull
