@@ -185,7 +185,7 @@ class EngineRun {
 
   delone::PointsView points_;
   Observer& observer_;
-  delone::VertexPoints vertices_;
+  delone::sites::VertexPoints vertices_;
   delone::engine::Build<K, Geometry> build_;
   std::vector<bool> used_;  // the rows of the first simplex
 };
