@@ -191,7 +191,7 @@ Changes Construction::changes_since(const State& state, const Record& record) {
   for (const Index v : record.sites.moved)
     if (!is_gone(v)) made.moved.push_back(VertexId{v});
   const auto sort = [](auto& ids) {
-    std::sort(ids.begin(), ids.end());
+    if (!std::is_sorted(ids.begin(), ids.end())) std::sort(ids.begin(), ids.end());
     ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   };
   sort(made.killed);

@@ -89,8 +89,7 @@ class Sphere {
   /// Since the beginning of the batch: the cells that have gone, and those that have come, perhaps in their
   /// slots.
   void changed_cells(std::vector<CellId>& gone, std::vector<CellId>& come) const {
-    log_.for_each_gone(cells_, [&](Index cell) { gone.push_back(CellId{cell}); });
-    log_.for_each_new(cells_, [&](Index cell) { come.push_back(CellId{cell}); });
+    log_.list_changes(cells_, gone, come);
   }
 
   /// Vertex v becomes new_ids[v]; of vertices that are in no cell the entry does not matter. Throws

@@ -18,7 +18,10 @@
 #include "engine/cell_store.hpp"
 #include "engine/create_functionals.hpp"
 
+#include <delone/types.hpp>
+
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -93,27 +96,13 @@ class UndoLog {
     for (const HorizonFacet& facet : star) note_new(facet.created);
   }
 
-  /// Calls f with the id of every cell that was there in the beginning and is not any more. One that was
-  /// noted may not have died, or have been made again in its slot.
-  template <class F>
-  void for_each_gone(const CellStore<K>& cells, F&& f) const {
-    for (std::size_t n = 0; n < num_notes_; ++n)
-      if (const Index* const note = notes_.data() + n * size_of_note(cells); !is_there(cells, note)) f(*note);
-  }
-  /// Calls f with the id of every cell that is there and was not in the beginning.
-  template <class F>
-  void for_each_new(const CellStore<K>& cells, F&& f) const {
-    const auto is_cell = [&](Index cell) { return cell < cells.num_slots() && !cells.is_vacant(cell); };
-    for (const Index cell : fresh_)
-      if (is_cell(cell)) f(cell);
-    for_each_gone(cells, [&](Index cell) {
-      if (is_cell(cell)) f(cell);
-    });
-    if (is_small_) return;
-    internal::StampedTable noted;
-    for (std::size_t n = 0; n < num_notes_; ++n) noted.insert(notes_[n * size_of_note(cells)], 0);
-    for (Index cell = 0; cell < cells.num_slots(); ++cell)
-      if (!was_there(cell) && is_cell(cell) && !noted.contains(cell)) f(cell);
+  /// Appends the ids of the cells that were there in the beginning and are not any more, and of those that
+  /// are there and were not; in ascending order unless the batch is small.
+  void list_changes(const CellStore<K>& cells, std::vector<CellId>& gone, std::vector<CellId>& made) const {
+    if (is_small_)
+      list_few_changes(cells, gone, made);
+    else
+      list_many_changes(cells, gone, made);
   }
 
   /// Makes the cells those that were there in the beginning, in their slots. In the end `put_back` is called
@@ -143,6 +132,36 @@ class UndoLog {
   static std::size_t size_of_note(const CellStore<K>& cells) {
     return 1 + 2 * (static_cast<std::size_t>(cells.dimension()) + 1);
   }
+  void list_few_changes(const CellStore<K>& cells, std::vector<CellId>& gone,
+                        std::vector<CellId>& made) const {
+    const auto add_made = [&](Index cell) {
+      if (cell < cells.num_slots() && !cells.is_vacant(cell)) made.push_back(CellId{cell});
+    };
+    for (const Index cell : fresh_) add_made(cell);
+    for (std::size_t n = 0; n < num_notes_; ++n) {
+      const Index* const note = notes_.data() + n * size_of_note(cells);
+      if (is_there(cells, note)) continue;
+      gone.push_back(CellId{note[0]});
+      add_made(note[0]);
+    }
+  }
+  /// A bit for each slot sorts the ids.
+  void list_many_changes(const CellStore<K>& cells, std::vector<CellId>& gone,
+                         std::vector<CellId>& made) const {
+    std::vector<std::uint64_t> are_gone((std::size_t{cells.num_slots()} + 63) / 64), are_old = was_there_;
+    are_gone.resize(std::max(are_gone.size(), was_there_.size()));
+    are_old.resize(are_gone.size());
+    for (std::size_t n = 0; n < num_notes_; ++n) {
+      const Index* const note = notes_.data() + n * size_of_note(cells);
+      (is_there(cells, note) ? are_old : are_gone)[note[0] / 64] |= std::uint64_t{1} << note[0] % 64;
+    }
+    for (std::size_t word = 0; word < are_gone.size(); ++word)
+      for (std::uint64_t bits = are_gone[word]; bits != 0; bits &= bits - 1)
+        gone.push_back(CellId{static_cast<Index>(64 * word) + static_cast<Index>(std::countr_zero(bits))});
+    for (Index cell = 0; cell < cells.num_slots(); ++cell)
+      if ((are_old[cell / 64] >> cell % 64 & 1) == 0 && !cells.is_vacant(cell)) made.push_back(CellId{cell});
+  }
+
   /// Whether the cell of a note is in its slot, with its vertices in their order.
   static bool is_there(const CellStore<K>& cells, const Index* note) {
     if (note[0] >= cells.num_slots()) return false;

@@ -5,7 +5,8 @@
 
 #include <algorithm>
 
-#ifndef HWY_DISABLED_TARGETS  // On ARM CMake defines it.
+#if defined(__x86_64__) || defined(_M_X64)
+#undef HWY_DISABLED_TARGETS  // Here CMake's definition lacks SSE4.
 // Their vectors are as short as those of SSE2, and the unrolled minors are slow to compile.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4)
 #endif

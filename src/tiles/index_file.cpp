@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tiles/index_file.hpp"
 
+#include "base/require_dimension.hpp"
 #include "io/file.hpp"
 #include "tiles/json_members.hpp"
 #include "tiles/part_file.hpp"
@@ -17,7 +18,6 @@ namespace {
 constexpr const char* format_name = "delone tiles";
 constexpr std::int64_t version = 1;
 constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max() - 1;
-constexpr std::int64_t largest_dimension = std::numeric_limits<std::int32_t>::max() - 1;
 
 /// Adds up numbers of parts. Throws bad_format for a sum that is not as expected.
 class Sum {
@@ -69,7 +69,7 @@ TilesIndex read_tiles_index(const std::string& folder, std::string& fingerprint)
     const JsonMembers members(json, name);
     members.require_format(format_name, version, "an index of tiles");
     TilesIndex index;
-    index.dimension = static_cast<int>(members.number("dimension", 1, largest_dimension));
+    index.dimension = static_cast<int>(members.number("dimension", 1, internal::largest_dimension));
     index.affine_dimension = static_cast<int>(members.number("affine_dimension", -1, index.dimension));
     index.weighted = members.flag("weighted");
     index.num_points = members.number("num_points", 0, most);

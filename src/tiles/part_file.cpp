@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tiles/part_file.hpp"
 
+#include "base/require_dimension.hpp"
 #include "io/atomic_file.hpp"
 #include "io/file.hpp"
 #include "io/npy.hpp"
@@ -125,7 +126,6 @@ void require_seams(const std::vector<std::int32_t>& neighbors, std::size_t corne
 }
 
 constexpr std::int64_t largest_row = std::numeric_limits<std::int64_t>::max() - 1;
-constexpr std::int64_t largest_dimension = std::numeric_limits<std::int32_t>::max() - 1;
 
 }  // namespace
 
@@ -178,7 +178,7 @@ TileData read_part(const std::string& folder, std::size_t number) {
   return io::guarded(io::input_name(path), [&] {
     const PartReader part(path);
     TileData data;
-    data.dimension = static_cast<int>(part.number("dimension", 1, largest_dimension));
+    data.dimension = static_cast<int>(part.number("dimension", 1, internal::largest_dimension));
     data.affine_dimension = static_cast<int>(part.number("affine_dimension", -1, data.dimension));
     const auto d = static_cast<std::size_t>(data.dimension);
     const auto corners = static_cast<std::size_t>(data.affine_dimension + 1);

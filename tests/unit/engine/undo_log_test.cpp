@@ -11,7 +11,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -178,12 +180,11 @@ TEST(UndoLog, OfASmallBatchKnowsNewCellsFromOldOnes) {
   UndoLog<3> log;
   for (int turn = 0; turn < 2; ++turn) {
     log.begin(cells, true);
-    std::vector<Index> noted, fresh;
+    std::vector<CellId> noted, fresh;
     const auto look = [&] {
       noted.clear();
       fresh.clear();
-      log.for_each_gone(cells, [&](Index cell) { noted.push_back(cell); });
-      log.for_each_new(cells, [&](Index cell) { fresh.push_back(cell); });
+      log.list_changes(cells, noted, fresh);
     };
     look();
     EXPECT_TRUE(noted.empty() && fresh.empty());
@@ -197,10 +198,39 @@ TEST(UndoLog, OfASmallBatchKnowsNewCellsFromOldOnes) {
     log.note_new(std::vector<Index>{7});
     look();
     EXPECT_TRUE(noted.empty());  // the cells are there, with their vertices
-    EXPECT_EQ(fresh, std::vector<Index>{7});
+    EXPECT_EQ(fresh, std::vector{CellId{7}});
     log.end();
     EXPECT_FALSE(log.is_on());
   }
+}
+
+TEST(UndoLog, OfALargeBatchListsWhatHasChangedInOrder) {
+  Growing<3> growing(300, 0, VertexIds::wide);
+  growing.insert(0, 20);
+  const auto& cells = growing.build.cells();
+  const auto vertices_of = [&] {
+    std::map<CellId, std::array<Index, 4>> all;
+    for (Index cell = 0; cell < cells.num_slots(); ++cell)
+      if (!cells.is_vacant(cell))
+        all[CellId{cell}] = {cells.vertex(cell, 0), cells.vertex(cell, 1), cells.vertex(cell, 2),
+                             cells.vertex(cell, 3)};
+    return all;
+  };
+  const auto before = vertices_of();
+  growing.build.begin_batch();
+  growing.insert(20, 150);
+  const auto after = vertices_of();
+  std::vector<CellId> gone, made, expected_gone, expected_made;
+  for (const auto& [cell, vertices] : before)
+    if (const auto now = after.find(cell); now == after.end() || now->second != vertices)
+      expected_gone.push_back(cell);
+  for (const auto& [cell, vertices] : after)
+    if (const auto old = before.find(cell); old == before.end() || old->second != vertices)
+      expected_made.push_back(cell);
+  growing.build.changed_cells(gone, made);
+  EXPECT_EQ(gone, expected_gone);
+  EXPECT_EQ(made, expected_made);
+  growing.build.keep_batch();
 }
 
 TEST(UndoLog, NotesEachCellOnceAndNoneThatIsNew) {
