@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace delone::engine {
@@ -170,6 +171,204 @@ template <class Cells, QueryGeometry G, class Evaluator, class Marks>
   return zone.num_cells - num_cells + zone.num_facets - num_facets;
 }
 
+/// The searches of a zone, and what they share: how a neighbor becomes part of the zone or of its horizon.
+///
+/// Whether it is new, in conflict or on the horizon is unpredictable, and a misprediction costs more than an
+/// evaluation. So each neighbor is written to the zone and to the horizon, of which at most one advances. The
+/// only branch that depends on data is that for tests the filter leaves open: they wait until there are
+/// several, and are decided together. Cells are searched in blocks, between which there is room to decide.
+template <class Cells, QueryGeometry G, class Marks>
+class ZoneSearch {
+  using Query = typename G::Query;
+  using Evaluator = decltype(std::declval<const G&>().evaluator(std::declval<const Query&>()));
+  using Candidate = ConflictZone::Candidate;
+
+ public:
+  ZoneSearch(const Cells& cells, const G& geometry, const Query& q, Marks marks, ConflictZone& zone,
+             StageCounts& counts)
+      : cells_(cells),
+        geometry_(geometry),
+        q_(q),
+        marks_(marks),
+        zone_(zone),
+        counts_(counts),
+        functional_(geometry.evaluator(q)) {}
+
+  /// In two dimensions the zone is a tree, unless vertices lose all their cells: the only neighbor known to
+  /// be in conflict is the one from which a cell was found. Evaluating it again is cheaper than collecting
+  /// the others, with fewer mispredicted ends of loops.
+  [[gnu::always_inline]] void search_tree(Index first) {
+    const std::size_t block_size = ConflictZone::block_size(facets());
+    start(first);
+    for (std::size_t next = 0; next < zone_.num_cells;) {
+      Ends ends = begin_block(next, block_size);
+      for (const std::size_t end = next + block_size; next < std::min(end, ends.num_cells); ++next) {
+        const Index* const neighbors = cells_.neighbors(ends.cells[next]);
+        for (std::size_t i = 0; i < facets(); ++i)
+          place(ends, candidate(neighbors[i], next, i), functional_.value(neighbors[i]));
+      }
+      end_block(ends, next);
+    }
+    counts_.filter += zone_.num_cells - 1 + zone_.num_facets - num_decided_;
+  }
+
+  /// Of the cells of a block, first all neighbors not yet known to be in conflict are collected, then all are
+  /// evaluated, then all are placed, so that no evaluation waits for the mark of the one before it. Neighbors
+  /// are prefetched some blocks ahead.
+  [[gnu::always_inline]] void search_blocks(Index first) {
+    const std::size_t block_size = ConflictZone::block_size(facets());
+    std::size_t prefetched = 0;
+    std::uint64_t evaluated = 0;
+    start(first);
+    for (std::size_t next = 0; next < zone_.num_cells;) {
+      Ends ends = begin_block(next, block_size);
+      for (const std::size_t end = ahead_of(next, ends); prefetched < end; ++prefetched)
+        cells_.prefetch_neighbors(ends.cells[prefetched]);
+      Candidate* const candidates = zone_.candidates.data();
+      std::size_t count = 0;
+      for (const std::size_t end = std::min(next + block_size, ends.num_cells); next < end; ++next) {
+        const Index* const neighbors = cells_.neighbors(ends.cells[next]);
+        for (std::size_t i = 0; i < facets(); ++i) {
+          candidates[count] = candidate(neighbors[i], next, i);
+          count += !marks_.is_in_conflict(neighbors[i]);
+        }
+      }
+      evaluate_and_place(ends, count);
+      evaluated += count;
+      end_block(ends, next);
+    }
+    counts_.filter += evaluated - num_left_open_;
+  }
+
+  /// The same where other threads change cells: the cells of the zone are owned before their neighbors are
+  /// known, and all neighbors of a block are claimed before any of them is read.
+  [[gnu::always_inline]] void search_claimed(Index first) {
+    const std::size_t block_size = ConflictZone::shared_block_size(facets());
+    std::size_t prefetched = 0, fenced = 0;  // so many cells were marked before the last fence
+    std::uint64_t evaluated = 0;
+    start(first);
+    for (std::size_t next = 0; next < zone_.num_cells;) {
+      Ends ends = begin_block(next, block_size);
+      const std::size_t end_ahead = ahead_of(next, ends);
+      const bool are_fenced = end_ahead <= fenced;
+      cells_.own(ends.cells + prefetched, end_ahead - prefetched, are_fenced);
+      if (!are_fenced) fenced = ends.num_cells;
+      for (; prefetched < end_ahead; ++prefetched) cells_.prefetch_neighbors(ends.cells[prefetched]);
+      Candidate* const candidates = zone_.candidates.data();
+      std::size_t count = 0;
+      auto claiming = cells_.begin_claims(block_size * facets());
+      for (const std::size_t end = std::min(next + block_size, ends.num_cells); next < end; ++next) {
+        const Index* const neighbors = cells_.unclaimed_neighbors(ends.cells[next]);
+        for (std::size_t i = 0; i < facets(); ++i) {
+          candidates[count] = candidate(neighbors[i], next, i);
+          count += claiming.add(neighbors[i]);
+        }
+      }
+      if (cells_.end_claims(claiming)) fenced = ends.num_cells;
+      evaluate_and_place(ends, count);
+      evaluated += count;
+      end_block(ends, next);
+    }
+    counts_.filter += evaluated - num_left_open_;
+  }
+
+ private:
+  /// Where the zone and its horizon are written, and end, while a block is searched.
+  struct Ends {
+    Index* cells;
+    double* values;
+    HorizonFacet* horizon;
+    std::size_t num_cells, num_facets;
+  };
+
+  static Candidate candidate(Index cell, std::size_t from, std::size_t slot) {
+    return {cell, static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(slot)};
+  }
+
+  std::size_t facets() const { return static_cast<std::size_t>(cells_.dimension()) + 1; }
+
+  void start(Index first) {
+    zone_.num_cells = zone_.num_facets = zone_.num_marked = zone_.num_infinite = 0;
+    zone_.num_undecided = zone_.num_open = 0;
+    zone_.reserve(1, facets());
+    zone_.cells[0] = first;
+    zone_.values[0] = functional_.value(first);
+    if (geometry_.proves_tie(first, zone_.values[0], q_)) zone_.values[0] = -0.0;
+    zone_.num_cells = 1;
+    marks_.set(first, Mark::in_conflict);
+  }
+
+  Ends begin_block(std::size_t next, std::size_t block_size) {
+    constexpr std::size_t cells_per_look = 2048;
+    if (next >= next_look_) [[unlikely]] {
+      internal::cancellation_point();
+      next_look_ = next + cells_per_look;
+    }
+    zone_.reserve(block_size * facets() + ConflictZone::enough_open(facets()), facets());
+    return {zone_.cells.data(), zone_.values.data(), zone_.horizon.data(), zone_.num_cells, zone_.num_facets};
+  }
+  /// `next`: so many cells have been searched. Decides what is open if that is much, or all that is left.
+  void end_block(const Ends& ends, std::size_t next) {
+    zone_.num_cells = ends.num_cells;
+    zone_.num_facets = ends.num_facets;
+    if (const std::size_t open = zone_.num_open;
+        open >= ConflictZone::enough_open(facets()) || (open > 0 && next == zone_.num_cells))
+      num_decided_ += decide_open(cells_, geometry_, q_, Evaluator(functional_), marks_, zone_, counts_);
+  }
+  /// The end of the cells that neighbors are prefetched of.
+  std::size_t ahead_of(std::size_t next, const Ends& ends) const {
+    return std::min(ends.num_cells, next + ConflictZone::cells_ahead(facets()));
+  }
+
+  void evaluate_and_place(Ends& ends, std::size_t count) {
+    const Candidate* const candidates = zone_.candidates.data();
+    double* const values = zone_.candidate_values.data();
+    for (std::size_t c = 0; c < count; ++c) values[c] = functional_.value(candidates[c].cell);
+    for (std::size_t c = 0; c < count; ++c) place(ends, candidates[c], values[c]);
+  }
+  [[gnu::always_inline]] void place(Ends& ends, Candidate neighbor, double value) {
+    const bool unseen = marks_.is_unseen(neighbor.cell);
+    const bool conflict = std::signbit(value);
+    if (!(std::fabs(value) > functional_.threshold(neighbor.cell))) [[unlikely]] {
+      leave_open(neighbor, value);
+      return;
+    }
+    ends.cells[ends.num_cells] = neighbor.cell;
+    ends.values[ends.num_cells] = value;
+    HorizonFacet& facet = ends.horizon[ends.num_facets];
+    facet.survivor_value = value;
+    facet.survivor = neighbor.cell;
+    facet.dead = static_cast<Index>(neighbor.from);
+    facet.slot = static_cast<int>(neighbor.slot);
+    ends.num_cells += conflict & unseen;
+    ends.num_facets += !conflict;
+    marks_.set_if(neighbor.cell, conflict);
+  }
+  void leave_open(Candidate neighbor, double value) {
+    ++num_left_open_;
+    const Mark mark = marks_(neighbor.cell);
+    if (mark == Mark::in_conflict) return;
+    ConflictZone::Open& open = zone_.open[zone_.num_open++];
+    open = {neighbor, value, ConflictZone::Open::none};
+    if (mark != Mark::unseen) return;
+    marks_.set(neighbor.cell, Mark::not_in_conflict);  // until it is decided
+    if (geometry_.is_infinite(neighbor.cell)) cells_.prefetch_across_hull(neighbor.cell);  // it decides ties
+    open.undecided = static_cast<std::uint32_t>(zone_.num_undecided);
+    zone_.undecided[zone_.num_undecided++] = {neighbor.cell, value, {}};
+  }
+
+  const Cells& cells_;
+  const G& geometry_;
+  const Query& q_;
+  Marks marks_;
+  ConflictZone& zone_;
+  StageCounts& counts_;
+  const Evaluator functional_;
+  std::size_t next_look_ = 2048;
+  std::uint64_t num_left_open_ = 0;  // neighbors
+  std::uint64_t num_decided_ = 0;    // of these, those that are of the zone or horizon
+};
+
 /// Whether cells must be claimed before they are read, because other threads change them
 /// (claimed_cells.hpp).
 template <class Cells>
@@ -177,151 +376,20 @@ constexpr bool are_shared = requires(const Cells& cells) {
   cells.unclaimed_neighbors(Index{});
 };
 
-template <class Cells>
-const Index* unclaimed_neighbors(const Cells& cells, Index cell) {
-  if constexpr (are_shared<Cells>)
-    return cells.unclaimed_neighbors(cell);
-  else
-    return cells.neighbors(cell);
-}
-template <class Cells>
-auto begin_claims(const Cells& cells, std::size_t most) {
-  if constexpr (are_shared<Cells>)
-    return cells.begin_claims(most);
-  else
-    return 0;
-}
-
 /// Fills `zone` from a cell in conflict. `marks`: marks(cell), is_unseen(cell), is_in_conflict(cell),
 /// set(cell, mark) and set_if(cell, conflict), passed by value; all cells must be unseen before, and the
 /// cells of the zone and of `zone.marked` stay marked. REQUIRES that no vertex is at q. If memory runs out,
 /// unmark() takes back all marks.
-///
-/// Whether a neighbor is new, in conflict or on the horizon is unpredictable, and a misprediction costs more
-/// than an evaluation. So cells are searched in blocks: first all neighbors not yet known to be in conflict
-/// are collected, then all are evaluated, then each is written to the zone and to the horizon, of which at
-/// most one advances. The only branch that depends on data is that for tests the filter leaves open, and no
-/// evaluation waits for the mark of the one before it. Neighbors are prefetched some blocks ahead. Open tests
-/// wait until there are several, and are decided together.
-///
-/// In two dimensions the zone is a tree, unless vertices lose all their cells: the only neighbor known to be
-/// in conflict is the one from which a cell was found. Evaluating it again is cheaper than collecting the
-/// others, with fewer mispredicted ends of loops.
 template <class Cells, QueryGeometry G, class Marks>
 void find_conflict_zone(const Cells& cells, const G& geometry, const typename G::Query& q, Index first,
                         Marks marks, ConflictZone& zone, StageCounts& counts) {
-  const auto facets = static_cast<std::size_t>(cells.dimension()) + 1;
-  const std::size_t block_size = are_shared<Cells> ? ConflictZone::shared_block_size(facets)
-                                                   : ConflictZone::block_size(facets),
-                    cells_ahead = ConflictZone::cells_ahead(facets);
-  const std::size_t enough_open = ConflictZone::enough_open(facets);
-  const bool is_tree = facets <= 3 && !are_shared<Cells>;
-  zone.num_cells = zone.num_facets = zone.num_marked = zone.num_infinite = 0;
-  zone.reserve(1, facets);
-  const auto functional = geometry.evaluator(q);
-  zone.cells[0] = first;
-  zone.values[0] = functional.value(first);
-  if (geometry.proves_tie(first, zone.values[0], q)) zone.values[0] = -0.0;
-  zone.num_cells = 1;
-  marks.set(first, Mark::in_conflict);
-  constexpr std::size_t cells_per_look = 2048;
-  std::size_t prefetched = 0, next_look = cells_per_look;
-  std::uint64_t evaluated = 0, uncertain = 0;
-  [[maybe_unused]] std::size_t fenced = 0;  // so many cells of the zone were marked before the last fence
-  zone.num_undecided = zone.num_open = 0;
-  const auto leave_open = [&](Index cell, double value, std::size_t from, std::size_t slot) {
-    const Mark mark = marks(cell);
-    if (mark == Mark::in_conflict) {
-      uncertain += !is_tree;
-      return;
-    }
-    ConflictZone::Open& open = zone.open[zone.num_open++];
-    open = {{cell, static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(slot)},
-            value,
-            ConflictZone::Open::none};
-    if (mark != Mark::unseen) return;
-    marks.set(cell, Mark::not_in_conflict);                            // until it is decided
-    if (geometry.is_infinite(cell)) cells.prefetch_across_hull(cell);  // that cell decides ties
-    open.undecided = static_cast<std::uint32_t>(zone.num_undecided);
-    zone.undecided[zone.num_undecided++] = {cell, value, {}};
-  };
-  for (std::size_t next = 0; next < zone.num_cells;) {
-    if (next >= next_look) [[unlikely]] {
-      internal::cancellation_point();
-      next_look = next + cells_per_look;
-    }
-    zone.reserve(block_size * facets + enough_open, facets);
-    Index* const zone_cells = zone.cells.data();
-    double* const zone_values = zone.values.data();
-    HorizonFacet* const horizon = zone.horizon.data();
-    std::size_t num_cells = zone.num_cells, num_facets = zone.num_facets;
-    const auto place = [&](Index neighbor, double value, std::size_t from, std::size_t slot) {
-      const bool unseen = marks.is_unseen(neighbor);
-      const bool conflict = std::signbit(value);
-      if (!(std::fabs(value) > functional.threshold(neighbor))) [[unlikely]] {
-        leave_open(neighbor, value, from, slot);
-        return;
-      }
-      zone_cells[num_cells] = neighbor;
-      zone_values[num_cells] = value;
-      HorizonFacet& facet = horizon[num_facets];
-      facet.survivor_value = value;
-      facet.survivor = neighbor;
-      facet.dead = static_cast<Index>(from);
-      facet.slot = static_cast<int>(slot);
-      num_cells += conflict & unseen;
-      num_facets += !conflict;
-      marks.set_if(neighbor, conflict);
-    };
-
-    if (is_tree) {
-      const std::size_t end = next + block_size;
-      for (; next < std::min(end, num_cells); ++next) {
-        const Index* const neighbors = cells.neighbors(zone_cells[next]);
-        for (std::size_t i = 0; i < facets; ++i) place(neighbors[i], functional.value(neighbors[i]), next, i);
-      }
-    } else {
-      const std::size_t last_prefetched = std::min(num_cells, next + cells_ahead);
-      if constexpr (are_shared<Cells>) {  // the zone is owned before its neighbors are known
-        const bool are_fenced = last_prefetched <= fenced;
-        cells.own(zone_cells + prefetched, last_prefetched - prefetched, are_fenced);
-        if (!are_fenced) fenced = num_cells;
-      }
-      for (; prefetched < last_prefetched; ++prefetched) cells.prefetch_neighbors(zone_cells[prefetched]);
-      ConflictZone::Candidate* const candidates = zone.candidates.data();
-      double* const values = zone.candidate_values.data();
-      const std::size_t end = std::min(next + block_size, num_cells);
-      std::size_t num_candidates = 0;
-      // Where others change cells, all neighbors are claimed before any of them is read.
-      [[maybe_unused]] auto claiming = begin_claims(cells, block_size * facets);
-      for (; next < end; ++next) {
-        const Index* const neighbors = unclaimed_neighbors(cells, zone_cells[next]);
-        for (std::size_t i = 0; i < facets; ++i) {
-          const Index neighbor = neighbors[i];
-          candidates[num_candidates] = {neighbor, static_cast<std::uint32_t>(next),
-                                        static_cast<std::uint32_t>(i)};
-          if constexpr (are_shared<Cells>)
-            num_candidates += claiming.add(neighbor);
-          else
-            num_candidates += !marks.is_in_conflict(neighbor);
-        }
-      }
-      if constexpr (are_shared<Cells>)
-        if (cells.end_claims(claiming)) fenced = num_cells;
-      for (std::size_t c = 0; c < num_candidates; ++c) values[c] = functional.value(candidates[c].cell);
-      for (std::size_t c = 0; c < num_candidates; ++c)
-        place(candidates[c].cell, values[c], candidates[c].from, candidates[c].slot);
-      evaluated += num_candidates;
-    }
-    zone.num_cells = num_cells;
-    zone.num_facets = num_facets;
-    if (const std::size_t open = zone.num_open; open >= enough_open || (open > 0 && next == zone.num_cells)) {
-      const std::size_t added = decide_open(cells, geometry, q, functional, marks, zone, counts);
-      uncertain += is_tree ? added : open;  // what counts as evaluated
-    }
-  }
-  if (is_tree) evaluated = zone.num_cells - 1 + zone.num_facets;
-  counts.filter += evaluated - uncertain;
+  ZoneSearch<Cells, G, Marks> search(cells, geometry, q, marks, zone, counts);
+  if constexpr (are_shared<Cells>)
+    search.search_claimed(first);
+  else if (cells.dimension() <= 2)
+    search.search_tree(first);
+  else
+    search.search_blocks(first);
 }
 
 /// Takes back the marks that find_conflict_zone() has set.
