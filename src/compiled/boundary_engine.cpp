@@ -4,7 +4,7 @@
 #include "base/compiled_dimension.hpp"
 #include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
-#include "compiled/boundary_sphere.hpp"
+#include "compiled/boundary_engine_of.hpp"
 #include "engine/locate.hpp"
 
 #include <algorithm>
@@ -13,15 +13,12 @@
 namespace delone::compiled {
 namespace {
 
-/// Calls ask(cells, geometry, sphere) with those of the compiled dimension.
+/// The largest dimension of cells that the engine is compiled for.
+constexpr int largest_dimension_of_cells = internal::largest_compiled_dimension - 1;
+
 template <class Ask>
 decltype(auto) visit(const BoundaryEngine& boundary, Ask&& ask) {
-  return internal::with_compiled_dimension(
-      static_cast<std::size_t>(boundary.dimension()), [&](auto k) -> decltype(auto) {
-        constexpr int K = cells_in(k());
-        const auto& sphere = static_cast<const BoundaryOfCells<K>&>(boundary).sphere();
-        return ask(sphere);
-      });
+  return visit<BoundaryEngineOf, largest_dimension_of_cells>(boundary, std::forward<Ask>(ask));
 }
 
 /// Thresholds are for rows in [−1, 1]. Functionals are off by a linear function of the row, and evaluations
@@ -42,26 +39,26 @@ Sign certain_side_of(const Geometry& geometry, Index slot, const typename Geomet
 }
 
 /// By exact stages alone.
-template <class Sphere>
-Sign exact_side_of(const Sphere& sphere, Index slot, const double* row) {
+template <class Instance>
+Sign exact_side_of(const Instance& instance, Index slot, const double* row) {
   internal::StageCounts uncounted;
-  const auto vertices = sphere.cells().vertices(slot);
-  return sphere.geometry().side(vertices, row, uncounted);
+  const auto vertices = instance.cells().vertices(slot);
+  return instance.geometry().side(vertices, row, uncounted);
 }
 
 }  // namespace
 
 std::unique_ptr<BoundaryEngine> make_boundary_engine(const BoundarySites& sites, const CentralView& view,
                                                      const std::vector<Index>& simplex) {
-  return internal::with_compiled_dimension(static_cast<std::size_t>(sites.dimension()), [&](auto k) {
-    return make_boundary_of_cells<cells_in(k())>(sites, view, simplex);
-  });
+  return internal::with_compiled_dimension<1, largest_dimension_of_cells>(
+      static_cast<std::size_t>(sites.dimension() - 1),
+      [&](auto k) { return make_boundary_engine_of<k()>(sites, view, simplex); });
 }
 
 /// The cells are numbered without gaps; their vertices are sites.
 SimplicialHull simplicial_hull_of(const BoundaryEngine& boundary) {
-  return visit(boundary, [&](const auto& sphere) {
-    const auto& cells = sphere.cells();
+  return visit(boundary, [&](const auto& instance) {
+    const auto& cells = instance.cells();
     SimplicialHull hull;
     const std::size_t k = static_cast<std::size_t>(cells.dimension()) + 1;
     hull.dimension = static_cast<int>(k);
@@ -87,18 +84,23 @@ SimplicialHull simplicial_hull_of(const BoundaryEngine& boundary) {
 }
 
 const engine::Effort& effort_of(const BoundaryEngine& boundary) {
-  return visit(boundary, [](const auto& sphere) -> const engine::Effort& { return sphere.effort(); });
+  return visit(boundary,
+               [](const auto& instance) -> const engine::Effort& { return instance.sphere().effort(); });
 }
 
 std::size_t bytes_of(const BoundaryEngine& boundary) {
-  return visit(boundary, [](const auto& sphere) { return sphere.cells().bytes(); });
+  return visit(boundary, [](const auto& instance) { return instance.cells().bytes(); });
+}
+
+bool shares_batches_of(const BoundaryEngine& boundary, std::size_t num_vertices) {
+  return visit(boundary, [&](const auto& instance) { return shares_batches_of(instance, num_vertices); });
 }
 
 std::vector<std::pair<Index, Index>> coplanar_neighbors(const BoundaryEngine& boundary,
                                                         const SimplicialHull& hull) {
-  return visit(boundary, [&](const auto& sphere) {
-    const auto& cells = sphere.cells();
-    const auto& geometry = sphere.geometry();
+  return visit(boundary, [&](const auto& instance) {
+    const auto& cells = instance.cells();
+    const auto& geometry = instance.geometry();
     std::vector<std::pair<Index, Index>> pairs;
     const auto is_certainly_inside = [&](Index cell, Index vertex) {
       const auto h = geometry.evaluator_at(vertex);
@@ -116,7 +118,7 @@ std::vector<std::pair<Index, Index>> coplanar_neighbors(const BoundaryEngine& bo
         // One cell is convex at the ridge iff the other is.
         if (is_certainly_inside(cell, opposite) || is_certainly_inside(across, cells.vertex(cell, i)))
           continue;
-        if (exact_side_of(sphere, cell, geometry.point(opposite)) == Sign::zero)
+        if (exact_side_of(instance, cell, geometry.point(opposite)) == Sign::zero)
           pairs.emplace_back(c, hull.neighbors_of(c)[static_cast<std::size_t>(i)]);
       }
     }
@@ -127,19 +129,19 @@ std::vector<std::pair<Index, Index>> coplanar_neighbors(const BoundaryEngine& bo
 void find_surely_interior(const BoundaryEngine& boundary, std::span<const Index> sites,
                           std::span<char> is_interior, unsigned threads) {
   constexpr std::size_t part = 1024;
-  visit(boundary, [&](const auto& sphere) {
-    const auto& geometry = sphere.geometry();
+  visit(boundary, [&](const auto& instance) {
+    const auto& geometry = instance.geometry();
     if (!geometry.can_walk()) {
       std::fill(is_interior.begin(), is_interior.end(), 0);
       return;
     }
     internal::work_in_parts(threads, sites.size(), part, [&] {
-      return [&, from = sphere.last_cell()](std::size_t first, std::size_t last,
-                                            const internal::StopPoint& stop) mutable {
+      return [&, from = instance.sphere().last_cell()](std::size_t first, std::size_t last,
+                                                       const internal::StopPoint& stop) mutable {
         for (std::size_t i = first; i < last; ++i) {
           stop();
           const auto [outcome, near] =
-              engine::approach(sphere.cells(), geometry, geometry.query_at(sites[i] + 1), from);
+              engine::approach(instance.cells(), geometry, geometry.query_at(sites[i] + 1), from);
           from = near.cell;
           is_interior[i] = outcome == engine::Descent::hidden ? 1 : 0;
         }
@@ -149,22 +151,22 @@ void find_surely_interior(const BoundaryEngine& boundary, std::span<const Index>
 }
 
 Sign side_of_slot(const BoundaryEngine& boundary, Index slot, Index site) {
-  return visit(boundary, [&](const auto& sphere) {
-    const auto q = sphere.geometry().query_at(site + 1);
-    const Sign sign = certain_side_of(sphere.geometry(), slot, q, 1);
-    return sign != Sign::zero ? sign : exact_side_of(sphere, slot, q.point);
+  return visit(boundary, [&](const auto& instance) {
+    const auto q = instance.geometry().query_at(site + 1);
+    const Sign sign = certain_side_of(instance.geometry(), slot, q, 1);
+    return sign != Sign::zero ? sign : exact_side_of(instance, slot, q.point);
   });
 }
 
 std::optional<Index> slot_through(const BoundaryEngine& boundary, Index site) {
-  return visit(boundary, [&](const auto& sphere) -> std::optional<Index> {
-    const auto& cells = sphere.cells();
-    const auto& geometry = sphere.geometry();
+  return visit(boundary, [&](const auto& instance) -> std::optional<Index> {
+    const auto& cells = instance.cells();
+    const auto& geometry = instance.geometry();
     const auto q = geometry.query_at(site + 1);
-    const auto is_on = [&](Index cell) { return exact_side_of(sphere, cell, q.point) == Sign::zero; };
+    const auto is_on = [&](Index cell) { return exact_side_of(instance, cell, q.point) == Sign::zero; };
     if (geometry.can_walk()) {
       internal::StageCounts uncounted;
-      const auto [outcome, near] = engine::approach(cells, geometry, q, sphere.last_cell());
+      const auto [outcome, near] = engine::approach(cells, geometry, q, instance.sphere().last_cell());
       if (outcome == engine::Descent::hidden) return std::nullopt;
       const Index cell = engine::walk_exactly(cells, geometry, q, near.cell, false, uncounted).cell;
       return is_on(cell) ? std::optional(cell) : std::nullopt;
@@ -176,21 +178,21 @@ std::optional<Index> slot_through(const BoundaryEngine& boundary, Index site) {
 }
 
 Sign certain_side(const BoundaryEngine& boundary, Index slot, const double* point) {
-  return visit(boundary, [&](const auto& sphere) {
-    const auto q = sphere.geometry().make_query(point);
-    return certain_side_of(sphere.geometry(), slot, q, reach(sphere.geometry(), q));
+  return visit(boundary, [&](const auto& instance) {
+    const auto q = instance.geometry().make_query(point);
+    return certain_side_of(instance.geometry(), slot, q, reach(instance.geometry(), q));
   });
 }
 
 double hyperplane(const BoundaryEngine& boundary, Index slot, double* normal) {
-  return visit(boundary, [&](const auto& sphere) { return sphere.geometry().hyperplane(slot, normal); });
+  return visit(boundary, [&](const auto& instance) { return instance.geometry().hyperplane(slot, normal); });
 }
 
 std::pair<Index, Sign> descend(const BoundaryEngine& boundary, const double* point,
                                const std::vector<Index>& starts) {
-  return visit(boundary, [&](const auto& sphere) -> std::pair<Index, Sign> {
-    const auto& cells = sphere.cells();
-    const auto& geometry = sphere.geometry();
+  return visit(boundary, [&](const auto& instance) -> std::pair<Index, Sign> {
+    const auto& cells = instance.cells();
+    const auto& geometry = instance.geometry();
     const auto q = geometry.make_query(point);
     const auto h = geometry.evaluator(q);
     const Index start = *std::min_element(starts.begin(), starts.end(),

@@ -9,7 +9,6 @@
 #include <utility>
 
 namespace delone::compiled {
-namespace {
 
 /// k + 1 vertices and k + 1 neighbors per cell.
 class CompactCells {
@@ -42,6 +41,7 @@ class CompactCells {
       if (vertices(cell)[i] == index(infinite_vertex)) return i;
     return -1;
   }
+  Complex::Links links_of_complex() const { return {links_.data(), stride(), false}; }
   Index num_slots() const { return num_cells_; }
   bool is_vacant(Index) const { return false; }
   void prefetch_neighbors(Index) const {}
@@ -66,6 +66,9 @@ class ExactGeometry : public geometry::PointPredicates<0> {
     double threshold(Index) const { return 0; }
     double error(Index, double) const { return std::numeric_limits<double>::infinity(); }
   };
+  Query make_query(const double* at, const kernel::Grid& grid) const {
+    return {at, &grid, flat().row_size()};
+  }
   Evaluator evaluator(const Query&) const { return {}; }
   void thresholds_at(std::span<const Index> cells, const Query&, double* thresholds) const {
     std::fill_n(thresholds, cells.size(), 0.0);
@@ -77,51 +80,22 @@ class ExactGeometry : public geometry::PointPredicates<0> {
   const CompactCells& cells_;
 };
 
-class CompactTriangulationOfCells final : public CompactTriangulation {
- public:
-  CompactTriangulationOfCells(const std::vector<int>& axes, const VertexPoints& points, CompactCells cells,
-                              const geometry::Frame& frame, const engine::Effort& effort)
+/// What queries.hpp asks for.
+struct CompactTriangulation::Held {
+  Held(const std::vector<int>& axes, const VertexPoints& points, CompactCells cells,
+       const geometry::Frame& frame, const engine::Effort& effort)
       : points_(points),
         cells_(std::move(cells)),
         geometry_(cells_, axes, points),
         frame_(frame),
         effort_(effort) {}
 
-  std::unique_ptr<CompactTriangulation> copy(const VertexPoints& points) const override {
-    return std::make_unique<CompactTriangulationOfCells>(geometry_.axes(), points, cells_, frame_, effort_);
-  }
+  const CompactCells& cells() const { return cells_; }
+  const ExactGeometry& geometry() const { return geometry_; }
+  const VertexPoints& points() const { return points_; }
+  Index num_infinite() const { return cells_.num_infinite(); }
+  Index first_cell() const { return 0; }
 
-  const geometry::Frame& frame() const override { return frame_; }
-
-  QueryLocation locate(const double* query, Index start) const override {
-    const kernel::Grid grid = points_.grid_with(query);
-    return compiled::locate(cells_, geometry_, {query, &grid, points_.ambient},
-                            start == invalid_index ? 0 : start);
-  }
-  std::vector<CellId> conflict_zone(const double* query, Index start) const override {
-    const kernel::Grid grid = points_.grid_with(query);
-    const geometry::PointQuery q{query, &grid, static_cast<int>(points_.row_size())};
-    return compiled::conflict_zone(cells_, geometry_, q, start == invalid_index ? 0 : start);
-  }
-  Sign unperturbed_side(Index cell, const double* query) const override {
-    const kernel::Grid grid = points_.grid_with(query);
-    return geometry_.unperturbed_side(cells_.vertices(cell), {query, &grid, points_.ambient});
-  }
-
-  Complex complex(Index num_vertices, std::span<const CellId> cell_of_vertex) const override {
-    return {{cells_.vertices(0), cells_.stride(), false},
-            cells_.dimension(),
-            cells_.num_cells(),
-            cells_.num_cells() - cells_.num_infinite(),
-            cells_.num_infinite(),
-            num_vertices,
-            cell_of_vertex.data(),
-            static_cast<Index>(cell_of_vertex.size())};
-  }
-  const engine::Effort& effort() const override { return effort_; }
-  std::size_t bytes() const override { return cells_.bytes(); }
-
- private:
   const VertexPoints& points_;
   CompactCells cells_;
   ExactGeometry geometry_;
@@ -129,14 +103,33 @@ class CompactTriangulationOfCells final : public CompactTriangulation {
   engine::Effort effort_;
 };
 
-}  // namespace
+CompactTriangulation::CompactTriangulation(const std::vector<int>& axes, const VertexPoints& points,
+                                           const TriangulationEngine& engine, const Complex& complex)
+    : held_(
+          std::make_unique<Held>(axes, points, CompactCells(complex), frame_of(engine), effort_of(engine))) {}
 
-std::unique_ptr<CompactTriangulation> make_compact_triangulation(const std::vector<int>& axes,
-                                                                 const VertexPoints& points,
-                                                                 const TriangulationEngine& engine,
-                                                                 const Complex& complex) {
-  return std::make_unique<CompactTriangulationOfCells>(axes, points, CompactCells(complex), engine.frame(),
-                                                       engine.effort());
+CompactTriangulation::CompactTriangulation(const VertexPoints& points, const CompactTriangulation& other)
+    : held_(std::make_unique<Held>(other.held_->geometry_.axes(), points, other.held_->cells_,
+                                   other.held_->frame_, other.held_->effort_)) {}
+
+CompactTriangulation::~CompactTriangulation() = default;
+
+const geometry::Frame& frame_of(const CompactTriangulation& compact) { return compact.held().frame_; }
+const engine::Effort& effort_of(const CompactTriangulation& compact) { return compact.held().effort_; }
+std::size_t bytes_of(const CompactTriangulation& compact) { return compact.held().cells().bytes(); }
+
+Complex complex_of(const CompactTriangulation& compact, Index num_vertices,
+                   std::span<const CellId> cell_of_vertex) {
+  return complex_in(compact.held(), num_vertices, cell_of_vertex);
+}
+QueryLocation locate(const CompactTriangulation& compact, const double* query, Index start) {
+  return locate_in(compact.held(), query, start);
+}
+std::vector<CellId> conflict_zone(const CompactTriangulation& compact, const double* query, Index start) {
+  return conflict_zone_in(compact.held(), query, start);
+}
+Sign unperturbed_side(const CompactTriangulation& compact, Index cell, const double* query) {
+  return unperturbed_side_in(compact.held(), cell, query);
 }
 
 }  // namespace delone::compiled

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The queries of a triangulation that stays as it is, for any store of cells and any geometry.
+// The queries of a triangulation, for all that holds one: an engine, or its compact form. `Held` has cells(),
+// geometry(), points(), num_infinite() and first_cell(), where walks start if they are not told.
 #pragma once
 
 #include "base/stamped_table.hpp"
@@ -7,13 +8,20 @@
 #include "engine/conflict_zone.hpp"
 #include "engine/locate.hpp"
 
+#include <span>
 #include <vector>
 
 namespace delone::compiled {
 
-template <class Cells, engine::QueryGeometry G>
-QueryLocation locate(const Cells& cells, const G& geometry, const typename G::Query& q, Index start) {
+template <class Held>
+QueryLocation locate_in(const Held& held, const double* query, Index start) {
+  const auto& cells = held.cells();
+  const auto& geometry = held.geometry();
+  const kernel::Grid grid = held.points().grid_with(query);
+  auto q = geometry.make_query(query, grid);
+  q.compared = held.points().ambient;
   internal::StageCounts uncounted;
+  if (start == invalid_index) start = held.first_cell();
   const Index near = engine::descend(cells, geometry, q, start).second.cell;
   const engine::WalkResult found = engine::walk_exactly(cells, geometry, q, near, false, uncounted);
   QueryLocation location{found.cell, cells.infinite_slot(found.cell) >= 0, {}};
@@ -28,10 +36,14 @@ QueryLocation locate(const Cells& cells, const G& geometry, const typename G::Qu
   return location;
 }
 
-template <class Cells, engine::QueryGeometry G>
-std::vector<CellId> conflict_zone(const Cells& cells, const G& geometry, const typename G::Query& q,
-                                  Index start) {
+template <class Held>
+std::vector<CellId> conflict_zone_in(const Held& held, const double* query, Index start) {
+  const auto& cells = held.cells();
+  const auto& geometry = held.geometry();
+  const kernel::Grid grid = held.points().grid_with(query);
+  const auto q = geometry.make_query(query, grid);
   internal::StageCounts uncounted;
+  if (start == invalid_index) start = held.first_cell();
   const engine::WalkResult found = engine::locate(cells, geometry, q, start, uncounted);
   if (found.vertex != invalid_index || found.hidden) return {};
   internal::StampedTable marks;
@@ -40,6 +52,22 @@ std::vector<CellId> conflict_zone(const Cells& cells, const G& geometry, const t
   std::vector<CellId> result;
   for (std::size_t i = 0; i < zone.num_cells; ++i) result.push_back(CellId{zone.cells[i]});
   return result;
+}
+
+template <class Held>
+Sign unperturbed_side_in(const Held& held, Index cell, const double* query) {
+  const kernel::Grid grid = held.points().grid_with(query);
+  const auto vertices = held.cells().vertices(cell);
+  return held.geometry().unperturbed_side(vertices, held.geometry().make_query(query, grid));
+}
+
+template <class Held>
+Complex complex_in(const Held& held, Index num_vertices, std::span<const CellId> cell_of_vertex) {
+  const auto& cells = held.cells();
+  return {cells.links_of_complex(), cells.dimension(),
+          cells.num_slots(),        cells.num_cells() - held.num_infinite(),
+          held.num_infinite(),      num_vertices,
+          cell_of_vertex.data(),    static_cast<Index>(cell_of_vertex.size())};
 }
 
 }  // namespace delone::compiled

@@ -92,7 +92,7 @@ void BulkInsertion::run() {
 /// The engine that all others are inserted into, if there is one, in a frame of all rows.
 void BulkInsertion::start() {
   if (state_.engine && num_spanning_ == 0) {
-    const geometry::Frame& frame = state_.engine->frame();
+    const geometry::Frame& frame = frame_of(*state_.engine);
     if (!frame.contains(low_.data()) || !frame.contains(high_.data())) {
       state_.engine->set_frame(state_.frame_with(low_.data(), high_.data(), 0.0));
       state_.landmarks.reset();
@@ -139,7 +139,7 @@ void BulkInsertion::seed() {
 
 /// Creates all cells at once, if that costs less. Returns false, and there are none, if not, or if it fails.
 bool BulkInsertion::wrap(std::span<const Index> simplex) {
-  if (simplex.size() != num_spanning_ || first_ != 1 || !state_.engine->is_worth_wrapping(order_.size()))
+  if (simplex.size() != num_spanning_ || first_ != 1 || !is_worth_wrapping(*state_.engine, order_.size()))
     return false;
   try {
     order_ = merge_duplicates();
@@ -213,7 +213,7 @@ void BulkInsertion::insert_at_only_vertex() {
 /// from then on, however many there are.
 void BulkInsertion::insert_rest() {
   const std::size_t begin = num_done_, n = order_.size() - begin;
-  if (state_.engine->shares_batches_of(n) && !(keeps_slots_ && !state_.record->has_other_engine)) {
+  if (shares_batches_of(*state_.engine, n) && !(keeps_slots_ && !state_.record->has_other_engine)) {
     state_.ids_tell_of_timing = true;
     threads_ = engine::threads_for_batch(state_.options.threads, n, state_.dimension());
   }

@@ -32,9 +32,9 @@ std::vector<CellId> cells_before(const Record& record) {
   if (!record.engine)
     return record.affine_hull.dimension() == 0 ? std::vector{CellId{0}, CellId{1}} : std::vector<CellId>{};
   std::vector<CellId> gone, made, cells;
-  if (record.engine_has_log) record.engine->changed_cells(gone, made);
+  if (record.engine_has_log) find_changed_cells(*record.engine, gone, made);
   std::sort(made.begin(), made.end());
-  for (const CellId c : record.engine->complex(0, {}).all_cells())
+  for (const CellId c : complex_of(*record.engine, 0, {}).all_cells())
     if (!std::binary_search(made.begin(), made.end(), c)) cells.push_back(c);
   cells.insert(cells.end(), gone.begin(), gone.end());
   return cells;
@@ -108,7 +108,7 @@ bool Construction::is_small_on_record(std::size_t num_points) const {
 /// slots, but they can share a rebuild. That pays if the batch has more points than there are.
 bool Construction::is_shared_on_record(std::size_t num_points) const {
   return recording_.is_on() && state_.engine && num_points > state_.num_vertices &&
-         state_.engine->shares_batches_of(num_points) &&
+         shares_batches_of(*state_.engine, num_points) &&
          engine::threads_for_batch(state_.options.threads, num_points, state_.dimension()) > 1;
 }
 
@@ -152,7 +152,7 @@ void Construction::edit(const RowEdits& edits, const EditHints& hints) { Editing
 /// A later sort_cells() would drop the record, so cells of a new engine are sorted now.
 void Construction::sort_cells_on_record() {
   if (!recording_.is_on() || !state_.ids_tell_of_timing || !record_->has_other_engine) return;
-  state_.engine->sort_cells(internal::threads_to_use(state_.options.threads));
+  state_.sort_cells();
   state_.ids_tell_of_timing = false;
 }
 
@@ -166,7 +166,7 @@ void Construction::note_all_visibility(std::span<const CellId> before) {
 Changes Construction::changes_since(const State& state, const Record& record) {
   Changes made;
   if (state.engine && !record.has_other_engine) {
-    if (record.engine_has_log) state.engine->changed_cells(made.killed, made.born);
+    if (record.engine_has_log) find_changed_cells(*state.engine, made.killed, made.born);
   } else if (state.engine || record.engine ||
              state.affine_hull.dimension() != record.affine_hull.dimension() ||
              state.single_links[0] != record.only_vertex || !record.sites.moved.empty()) {
@@ -216,12 +216,14 @@ void Construction::roll_back(State& state, Record& record) noexcept {
   std::vector<CellId>& cell_of_vertex = state.cell_of_vertex;
   for (const auto& [v, was_visible] : record.were_visible)
     if (!was_visible && v < cell_of_vertex.size()) cell_of_vertex[v] = invalid_cell;
-  if (state.engine && record.engine_has_log)
-    state.engine->undo_batch(record.sites.moved, [&state](Index cell) {
-      const Complex now = state.engine->complex(0, {});
+  if (state.engine && record.engine_has_log) {
+    state.engine->move_back(record.sites.moved);
+    state.engine->undo_batch([&state](Index cell) {
+      const Complex now = complex_of(*state.engine, 0, {});
       for (int i = 0; i <= now.affine_dimension(); ++i)
         state.cell_of_vertex[index(now.vertex(CellId{cell}, i))] = CellId{cell};
     });
+  }
   if (record.has_other_engine || !state.engine) {
     std::fill(cell_of_vertex.begin(), cell_of_vertex.end(), invalid_cell);
     state.find_cells_of_vertices();

@@ -19,7 +19,7 @@ namespace delone::construction {
 /// Whether a vertex may stay where it is in the cells: it has some, and gets a point that neither the
 /// dimension nor the frame has to change for, and that no hidden one has, which would keep its id.
 bool Editing::can_stay(const Placement& placement) const {
-  if (placement.vertex == invalid_index || !state_.engine->frame().contains(point(placement))) return false;
+  if (placement.vertex == invalid_index || !frame_of(*state_.engine).contains(point(placement))) return false;
   if (state_.affine_hull.dimension() < state_.dimension() && !state_.affine_hull.contains(point(placement)))
     return false;
   if (!state_.hidden_points || state_.hidden_points->size() == 0) return true;
@@ -95,7 +95,7 @@ bool Editing::move_all_in_place() {
   if (are_steps_long()) return true;
   const std::vector<Index> hidden = staying_hidden();
   if (4 * hidden.size() > state_.num_vertices || meets_hidden(hidden)) return true;
-  std::vector<double> low(state_.engine->frame().low()), high(state_.engine->frame().high());
+  std::vector<double> low(frame_of(*state_.engine).low()), high(frame_of(*state_.engine).high());
   for (const Leaving& leaving : leaving_) {
     if (!leaving.moves()) continue;
     const double* const x = point(placements_[leaving.placement]);
@@ -107,7 +107,7 @@ bool Editing::move_all_in_place() {
   }
   // With a margin, so that steps that follow stay inside.
   std::optional<geometry::Frame> frame;
-  if (!state_.engine->frame().contains(low.data()) || !state_.engine->frame().contains(high.data()))
+  if (!frame_of(*state_.engine).contains(low.data()) || !frame_of(*state_.engine).contains(high.data()))
     frame = state_.frame_with(low.data(), high.data(), 0.0625);
   state_.engine->begin_batch(true);
   record().engine_has_log = true;

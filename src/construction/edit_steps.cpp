@@ -63,7 +63,7 @@ void Editing::find_hidden_points() {
   Index start = invalid_index;
   for (const Index i : order::insertion_order({coordinates, state_.dimension()}, state_.options)) {
     internal::cancellation_point();
-    start = state_.engine->locate(state_.sites.point(hidden[i]), start).cell;
+    start = locate(*state_.engine, state_.sites.point(hidden[i]), start).cell;
     lists->add(hidden[i], start);
   }
   state_.hidden_points = std::move(lists);
@@ -163,7 +163,7 @@ void Editing::lower(Index v) {
     if (kernel::orientation(flat.flat(), simplex) == Sign::negative)
       for (std::size_t cell = 0; cell < num_cells; ++cell)
         exchange_first_two(links.data() + 2 * corners * cell, corners);
-    auto lowered = state_.new_engine(flat, state_.engine->frame());
+    auto lowered = state_.new_engine(flat, frame_of(*state_.engine));
     lowered->restore({{links.data(), 2 * corners, false},
                       k - 1,
                       num_cells,

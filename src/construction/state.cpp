@@ -30,7 +30,7 @@ std::unique_ptr<State> State::clone() const {
 }
 
 Complex State::complex() const {
-  if (engine) return engine->complex(num_vertices, cell_of_vertex);
+  if (engine) return complex_of(*engine, num_vertices, cell_of_vertex);
   if (affine_hull.dimension() == 0)
     return {{single_links, 2, false},
             0,
@@ -52,7 +52,7 @@ Index State::place(Index v, Index start) {
     }
   }
   if (!engine) return place_at_only_vertex(v);
-  if (!engine->frame().contains(sites.point(v))) {
+  if (!frame_of(*engine).contains(sites.point(v))) {
     engine->set_frame(frame_with(sites.point(v), sites.point(v), 1.0));
     landmarks.reset();
   }
@@ -69,7 +69,7 @@ Index State::place(Index v, Index start) {
   }
   try {
     if (change.is_done()) rehome_hidden_points(change);
-    if (change.outcome == engine::Outcome::hidden) hide(v, invalid_index);
+    if (change.is_hidden()) hide(v, invalid_index);
   } catch (...) {
     hidden_points.reset();
     if (record != nullptr) throw;
@@ -118,7 +118,7 @@ void State::raise(Index v, kernel::AffineHull grown) {
 void State::hide(Index v, Index start) {
   if (!hidden_points) return;
   hidden_points->reserve(std::size_t{sites.points().last_vertex()} + 1, complex().num_cell_slots());
-  hidden_points->add(v, engine->locate(sites.point(v), start).cell);
+  hidden_points->add(v, locate(*engine, sites.point(v), start).cell);
 }
 
 /// The same for those of the cells that an insertion has replaced, and for the vertices that it has hidden.
@@ -169,6 +169,11 @@ void State::find_cells_of_vertices(const Complex& now) {
       static_cast<std::size_t>(std::count(cell_of_vertex.begin() + 1, cell_of_vertex.end(), invalid_cell)));
 }
 
+void State::sort_cells() {
+  engine->sort_cells({sites.points().last_vertex() + 1, weighted()},
+                     internal::threads_to_use(options.threads));
+}
+
 void State::note_visibility(Index v) {
   if (record != nullptr) record->were_visible.emplace_back(v, is_visible(v));
 }
@@ -192,15 +197,15 @@ geometry::Frame State::frame_with(const double* low, const double* high, double 
     }
   };
   if (engine) {
-    cover(engine->frame().low().data());
-    cover(engine->frame().high().data());
+    cover(frame_of(*engine).low().data());
+    cover(frame_of(*engine).high().data());
   } else
     for (Index v = 1; v <= sites.points().last_vertex(); ++v) cover(sites.point(v));
   constexpr double largest = std::numeric_limits<double>::max() / 4;
   for (std::size_t j = 0; j < row_size(); ++j) {
     const double extent = std::min(highs[j] / 2 - lows[j] / 2, largest) * 2 * margin;
-    const bool low_grows = !engine || lows[j] < engine->frame().low()[j];
-    const bool high_grows = !engine || highs[j] > engine->frame().high()[j];
+    const bool low_grows = !engine || lows[j] < frame_of(*engine).low()[j];
+    const bool high_grows = !engine || highs[j] > frame_of(*engine).high()[j];
     lows[j] = std::max(lows[j] - (low_grows ? extent : extent / 4), std::min(lows[j], -largest));
     highs[j] = std::min(highs[j] + (high_grows ? extent : extent / 4), std::max(highs[j], largest));
   }
@@ -213,13 +218,13 @@ std::unique_ptr<TriangulationEngine> State::new_engine(const kernel::AffineHull&
                                             : record != nullptr ? record->engine.get()
                                                                 : nullptr;
   return compiled::make_triangulation_engine(flat.axes(), sites.points(), frame,
-                                             before != nullptr ? before->effort() : engine::Effort{},
+                                             before != nullptr ? effort_of(*before) : engine::Effort{},
                                              options.force_runtime_dimension);
 }
 
 void State::add_landmarks(Index first, Index last) {
   try {
-    if (!landmarks) landmarks = std::make_unique<Landmarks>(engine->frame(), ambient());
+    if (!landmarks) landmarks = std::make_unique<Landmarks>(frame_of(*engine), ambient());
     for (Index v = first; v <= last; ++v) landmarks->add(v, sites.point(v));
   } catch (const std::bad_alloc&) {
     landmarks.reset();

@@ -6,7 +6,7 @@
 // as more points only lower the lifted surface; edits may bring them back.
 #pragma once
 
-#include "compiled/dispatch.hpp"
+#include "compiled/triangulation_engine.hpp"
 #include "construction/hidden_points.hpp"
 #include "construction/landmarks.hpp"
 #include "construction/record.hpp"
@@ -74,6 +74,8 @@ struct State {
   /// The same for all vertices, of the cells of a complex.
   void find_cells_of_vertices(const Complex& now);
   void find_cells_of_vertices() { find_cells_of_vertices(complex()); }
+  /// Gives cells ids that do not tell of timing; those of cell_of_vertex are outdated then.
+  void sort_cells();
   /// Before the vertex gets its first cells or loses all.
   void note_visibility(Index v);
   /// Another engine takes over; a transaction keeps the one of its beginning.

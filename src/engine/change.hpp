@@ -28,6 +28,7 @@ struct Change {
   std::span<const Index> swallowed = {};  ///< the vertices that an insertion took all cells from, if tracked
 
   bool is_done() const { return outcome == Outcome::done; }
+  bool is_hidden() const { return outcome == Outcome::hidden || outcome == Outcome::interior; }
 };
 
 }  // namespace delone::engine

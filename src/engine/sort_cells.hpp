@@ -17,6 +17,7 @@
 #include "cells/cell_memory.hpp"
 #include "cells/move_cells.hpp"
 #include "engine/cell_store.hpp"
+#include "engine/vertex_order.hpp"
 
 #include <delone/types.hpp>
 
@@ -33,14 +34,6 @@
 namespace delone::engine {
 
 using internal::GrowableArray;
-
-/// What is known of the vertices that cells have.
-struct VertexOrder {
-  Index size;  ///< all ids are before it, or places if there are any
-  /// Some may be those of no vertex. Which ones does not matter then.
-  bool has_gaps = false;
-  std::span<const Index> places = {};  ///< by id, those in the order of insertion
-};
 
 /// K is the dimension of the cells; two cells of one newest vertex have the same hash with a probability of
 /// 2^−HashBits.

@@ -158,17 +158,6 @@ class Sphere {
     return false;
   }
 
-  /// Whether v is certainly in conflict with no cell, by cached functionals alone; false says nothing. Walks
-  /// from a cell, and sets it to where the walk has ended.
-  bool is_surely_hidden(Index v, Index& cell) const {
-    if (!geometry_.can_walk()) return false;
-    const auto [outcome, near] = approach(cells_, geometry_, geometry_.query_at(v), cell);
-    cell = near.cell;
-    return outcome == Descent::hidden;
-  }
-  /// The same, from where the last walk ended.
-  bool is_surely_hidden(Index v) { return is_surely_hidden(v, work_.last_cell); }
-
   /// After cells were made otherwise than by an insertion.
   void starts_with(Index num_infinite, Index created) {
     effort_.created_cells += created;

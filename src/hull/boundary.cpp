@@ -10,7 +10,7 @@
 
 namespace delone::hull {
 
-using compiled::Insertion;
+using engine::Outcome;
 
 Boundary::Boundary(const BoundarySites& sites, const std::vector<Index>& simplex, CentralView view)
     : sites_(sites), view_(std::move(view)), is_surely_interior_(sites.size(), 0) {
@@ -83,26 +83,26 @@ Sign Boundary::side_of_end(std::size_t c, Index site) const {
   return (c == 0) == sites_.is_homogeneous() ? sign : -sign;
 }
 
-Insertion Boundary::insert_end(Index site) {
+Outcome Boundary::insert_end(Index site) {
   for (const std::size_t c : {0, 1})
     if (side_of_end(c, site) == Sign::negative) {
       now_.ends[c] = site;
       ++now_.effort_of_ends.created_cells;
-      return Insertion::vertex;
+      return Outcome::done;
     }
-  return Insertion::interior;
+  return Outcome::interior;
 }
 
-void Boundary::note(Index site, Insertion outcome) {
-  is_surely_interior_[site] = outcome == Insertion::interior ? 1 : 0;
-  if (outcome != Insertion::vertex) return;
+void Boundary::note(Index site, Outcome outcome) {
+  is_surely_interior_[site] = outcome == Outcome::interior ? 1 : 0;
+  if (outcome != Outcome::done) return;
   ++now_.insertions;
   now_.hull_is_current = false;
   if (was_shared_) ids_tell_of_timing_ = true;
 }
 
-Insertion Boundary::insert(Index site) {
-  const Insertion outcome = engine_ ? engine_->insert(site) : insert_end(site);
+Outcome Boundary::insert(Index site) {
+  const Outcome outcome = engine_ ? engine_->insert(site + 1, invalid_index).outcome : insert_end(site);
   note(site, outcome);
   return outcome;
 }
@@ -113,9 +113,9 @@ void Boundary::insert_part(std::span<const Index> sites, std::span<const std::si
   std::vector<char> strictly(sites.size());
   engine_->insert_all({threads, 1, at, rounds, tick, sites, now_.insertions, strictly});
   for (std::size_t i = 0; i < sites.size(); ++i)
-    note(sites[i], at[i] == sites[i] + 1 ? Insertion::vertex
-                   : strictly[i] != 0    ? Insertion::interior
-                                         : Insertion::hidden);
+    note(sites[i], at[i] == sites[i] + 1 ? Outcome::done
+                   : strictly[i] != 0    ? Outcome::interior
+                                         : Outcome::hidden);
 }
 
 void Boundary::insert_all(std::span<const Index> sites, const std::function<void(std::size_t)>& tick) {
@@ -211,7 +211,8 @@ void Boundary::undo_batch() noexcept {
 void Boundary::sort_cells() const {
   if (!ids_tell_of_timing_ || is_in_batch_) return;
   places_.add({}, sites_.size());  // sites that came singly
-  engine_->sort_cells(places_.of_vertices(), threads_);
+  const std::span<const Index> places = places_.of_vertices();
+  engine_->sort_cells({*std::max_element(places.begin(), places.end()) + 1, true, places}, threads_);
   ids_tell_of_timing_ = false;
   now_.hull_is_current = false;
 }

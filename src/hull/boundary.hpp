@@ -17,7 +17,6 @@
 
 namespace delone::hull {
 
-using compiled::Insertion;
 using compiled::SimplicialHull;
 using geometry::CentralView;
 using sites::BoundarySites;
@@ -34,8 +33,9 @@ class Boundary {
   void reserve(std::size_t n) { is_surely_interior_.reserve(n); }
   /// Takes note of sites that have been added, from `first` on, before they are inserted.
   void include_sites(Index first);
-  /// Inserts a site, distinct from all earlier ones. If it throws, the boundary is as it was.
-  Insertion insert(Index site);
+  /// Inserts a site, distinct from all earlier ones: done, hidden or interior. If it throws, the boundary is
+  /// as it was.
+  engine::Outcome insert(Index site);
   /// Inserts sites in turn. `tick` is told often how many have been, and may throw to stop: then the boundary
   /// is of no use unless the batch is undone.
   void insert_all(std::span<const Index> sites, const std::function<void(std::size_t)>& tick);
@@ -46,7 +46,7 @@ class Boundary {
                   const std::function<void(std::size_t)>& tick);
   /// Whether several threads may insert so many sites.
   bool shares_batches_of(std::size_t num_sites) const {
-    return engine_ && engine_->shares_batches_of(num_sites);
+    return engine_ && compiled::shares_batches_of(*engine_, num_sites);
   }
   /// Several threads may insert sites before the next call of hull(), which numbers cells in an order that
   /// does not depend on timing. `order`: of these sites, among others perhaps, and no function of what was
@@ -105,10 +105,10 @@ class Boundary {
   };
 
   bool grow_box(Index site, double margin);
-  Insertion insert_end(Index site);
+  engine::Outcome insert_end(Index site);
   void insert_part(std::span<const Index> sites, std::span<const std::size_t> rounds, unsigned threads,
                    const std::function<void(std::size_t)>& tick);
-  void note(Index site, Insertion outcome);
+  void note(Index site, engine::Outcome outcome);
   bool are_many_interior(std::span<const Index> sites) const;
   void sort_cells() const;
   SimplicialHull hull_of_sorted_cells() const;

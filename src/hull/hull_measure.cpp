@@ -5,7 +5,6 @@
 #include "base/infinity.hpp"
 #include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
-#include "compiled/dispatch.hpp"
 #include "hull/hull_normal.hpp"
 
 #include <algorithm>

@@ -284,7 +284,7 @@ HullInsertResult HullState::insert_in_flat(const double* point) {
   if (result.duplicate) return result;
   try {
     boundary_->include_sites(site);
-    result.inserted = boundary_->insert(site) == compiled::Insertion::vertex;
+    result.inserted = boundary_->insert(site) == engine::Outcome::done;
   } catch (...) {
     sites_.rollback(before);
     throw;

@@ -141,20 +141,22 @@ std::vector<std::size_t> Triangulation::hidden_rows() const { return impl_->hidd
 
 Location Triangulation::locate(const AnyPoint<>& query, std::optional<CellId> hint) const {
   // The least weight leads a walk by values of functionals to the cell that contains the point.
-  const double lightest =
-      impl_->queries() != nullptr && impl_->weighted() ? impl_->queries()->frame().low().back() : 0.0;
+  const double lightest = impl_->has_cells() && impl_->weighted()
+                              ? impl_->visit([](const auto& cells) { return frame_of(cells).low().back(); })
+                              : 0.0;
   std::vector<double> storage;
   const double* q = impl_->checked_query(query, lightest, storage);
   const Index start = hint ? impl_->checked_hint(hint) : impl_->state->start_near(q);
   Location location;
   if (affine_dimension() < dimension() && !impl_->state->affine_hull.contains(q)) return location;
-  if (impl_->queries() == nullptr) {  // one point, and the query is in its affine hull: at it
+  if (!impl_->has_cells()) {  // one point, and the query is in its affine hull: at it
     location.kind = Location::Kind::on_vertex;
     location.cell = CellId{0};
     location.face = {impl_->complex().vertex(CellId{0}, 0)};
     return location;
   }
-  compiled::QueryLocation found = impl_->queries()->locate(q, start);
+  compiled::QueryLocation found =
+      impl_->visit([&](const auto& cells) { return compiled::locate(cells, q, start); });
   location.cell = CellId{found.cell};
   location.face = std::move(found.face);
   const int face_dimension = location.face_dimension();
@@ -264,15 +266,15 @@ CanonicalHash Triangulation::hash(unsigned threads) const {
 
 Statistics Triangulation::statistics() const {
   Statistics s = impl_->state->statistics;
-  if (const compiled::TriangulationQueries* const queries = impl_->queries(); queries != nullptr) {
-    const engine::Effort& effort = queries->effort();
+  if (impl_->has_cells()) {
+    const engine::Effort effort = impl_->visit([](const auto& cells) { return effort_of(cells); });
     s.created_cells = effort.created_cells;
     s.visited_cells = effort.visited_cells;
     s.filter = effort.stages.filter;
     s.direct = effort.stages.direct;
     s.exact = effort.stages.exact;
     s.perturbed = effort.stages.perturbed;
-    s.cell_bytes = queries->bytes();
+    s.cell_bytes = impl_->visit([](const auto& cells) { return bytes_of(cells); });
   }
   s.insertions = num_vertices();
   return s;

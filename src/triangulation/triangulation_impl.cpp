@@ -17,7 +17,8 @@ namespace delone {
 std::unique_ptr<Triangulation::Impl> Triangulation::Impl::clone() const {
   auto copy = std::make_unique<Impl>(dimension(), points().form, state->options);
   copy->state = state->clone();
-  if (compacted) copy->compacted = compacted->copy(copy->points());
+  if (compacted)
+    copy->compacted = std::make_unique<compiled::CompactTriangulation>(copy->points(), *compacted);
   copy->recording = recording;
   copy->changes = changes;
   return copy;
@@ -38,7 +39,7 @@ void Triangulation::Impl::require_idle() const {
 void Triangulation::Impl::expand() {
   if (!compacted) return;
   auto restored = compiled::make_triangulation_engine(state->affine_hull.axes(), state->sites.points(),
-                                                      compacted->frame(), compacted->effort(),
+                                                      frame_of(*compacted), effort_of(*compacted),
                                                       state->options.force_runtime_dimension);
   restored->restore(complex());
   state->engine = std::move(restored);
@@ -177,7 +178,7 @@ engine::Outcome Triangulation::Impl::remove_at_once(std::size_t row) {
 bool Triangulation::Impl::move_at_once(std::size_t row, std::span<const double> to) {
   const Index v = index(sites().vertex_of(row));
   if (to.size() != ambient()) return false;
-  if (!state->engine->frame().contains(to.data())) return false;
+  if (!frame_of(*state->engine).contains(to.data())) return false;
   if (affine_dimension() < dimension() && !state->affine_hull.contains(to.data())) return false;
   const engine::Change change = state->engine->move(v, index(state->cell_of(v)), to.data());
   state->update_cells(change.made);
@@ -228,8 +229,8 @@ void Triangulation::Impl::compact() {
   state->hidden_points.reset();
   state->landmarks.reset();
   if (state->engine) {
-    compacted = compiled::make_compact_triangulation(state->affine_hull.axes(), points(), *state->engine,
-                                                     state->complex());
+    compacted = std::make_unique<compiled::CompactTriangulation>(state->affine_hull.axes(), points(),
+                                                                 *state->engine, state->complex());
     state->engine.reset();
     state->find_cells_of_vertices(complex());
   }
@@ -246,7 +247,7 @@ void Triangulation::Impl::sort_cells() {
   state->hidden_points.reset();
   expand();
   if (!state->engine) return;
-  state->engine->sort_cells(internal::threads_to_use(state->options.threads));
+  state->sort_cells();
   state->find_cells_of_vertices();
   state->ids_tell_of_timing = false;
 }
@@ -307,7 +308,7 @@ std::vector<CellId> Triangulation::Impl::conflict_zone(std::span<const double> q
   const double* q = checked_query(query, weight, storage);
   const Index start = checked_hint(hint);
   if (affine_dimension() < dimension() && !state->affine_hull.contains(q)) return {};
-  if (queries() != nullptr) return queries()->conflict_zone(q, start);
+  if (has_cells()) return visit([&](const auto& cells) { return compiled::conflict_zone(cells, q, start); });
   const bool is_heavier = weighted() && weight > points().point(state->only_vertex())[ambient()];
   return is_heavier ? std::vector<CellId>{CellId{0}} : std::vector<CellId>{};
 }
@@ -319,8 +320,8 @@ Sign Triangulation::Impl::in_sphere(CellId cell, std::span<const double> query, 
   if (!now.is_cell(cell) || now.is_infinite(cell)) throw Error(Errc::invalid_argument, "not a finite cell");
   if (affine_dimension() < dimension() && !state->affine_hull.contains(q))
     throw Error(Errc::invalid_argument, "the query is outside the affine hull of the points");
-  if (queries() != nullptr) {
-    const Sign side = queries()->unperturbed_side(index(cell), q);
+  if (has_cells()) {
+    const Sign side = visit([&](const auto& cells) { return unperturbed_side(cells, index(cell), q); });
     return state->is_furthest() ? -side : side;
   }
   if (!weighted()) return Sign::zero;

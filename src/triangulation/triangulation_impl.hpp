@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 struct delone::Triangulation::Impl {
@@ -32,13 +33,15 @@ struct delone::Triangulation::Impl {
   int affine_dimension() const { return state->affine_hull.dimension(); }
   std::size_t ambient() const { return state->ambient(); }
   bool weighted() const { return state->weighted(); }
-  /// The triangulation, if the affine dimension is at least 1.
-  const compiled::TriangulationQueries* queries() const {
-    return state->engine ? static_cast<const compiled::TriangulationQueries*>(state->engine.get())
-                         : compacted.get();
+  /// Whether the affine dimension is at least 1.
+  bool has_cells() const { return state->engine || compacted; }
+  /// Calls ask() with the engine, or the compact form. REQUIRES has_cells().
+  template <class Ask>
+  decltype(auto) visit(Ask&& ask) const {
+    return state->engine ? ask(std::as_const(*state->engine)) : ask(std::as_const(*compacted));
   }
   Complex complex() const {
-    return compacted ? compacted->complex(state->num_vertices, state->cell_of_vertex) : state->complex();
+    return compacted ? complex_of(*compacted, state->num_vertices, state->cell_of_vertex) : state->complex();
   }
 
   /// `weights`: one per point, or none: all are 0. `release`, if there is one, is called when the coordinates

@@ -5,8 +5,8 @@
 
 #include "base/random.hpp"
 #include "compare.hpp"
-#include "compiled/dispatch.hpp"
 #include "compiled/points_to_wrap.hpp"
+#include "compiled/triangulation_engine.hpp"
 #include "engine/wrap/proof.hpp"
 #include "geometry/delaunay_geometry.hpp"
 #include "geometry/facet_search/facet_search.hpp"
@@ -84,7 +84,7 @@ class GrowingHull {
 
   /// The vertices and neighbors of all cells, in their order.
   std::vector<Index> links() const {
-    const Complex complex = engine_->complex(points_.last_vertex(), {});
+    const Complex complex = complex_of(*engine_, points_.last_vertex(), {});
     std::vector<Index> result;
     for (const CellId cell : complex.all_cells())
       for (int i = 0; i <= complex.affine_dimension(); ++i) {
@@ -96,7 +96,7 @@ class GrowingHull {
 
   /// The vertices of all cells. Expects that their neighbors are right, and finite ones oriented positively.
   test::Cells cells() const {
-    const Complex complex = engine_->complex(points_.last_vertex(), {});
+    const Complex complex = complex_of(*engine_, points_.last_vertex(), {});
     test::Cells result;
     for (const CellId cell : complex.all_cells()) {
       result.emplace_back();

@@ -2,11 +2,11 @@
 // The implementation of TriangulationEngine for one dimension: joins engine/ and geometry/.
 #pragma once
 
+#include "compiled/engine_of.hpp"
 #include "compiled/points_to_wrap.hpp"
-#include "compiled/queries.hpp"
 #include "compiled/triangulation_engine.hpp"
-#include "engine/build.hpp"
 #include "engine/hole/relocation.hpp"
+#include "engine/wrap/is_worth_wrapping.hpp"
 #include "engine/wrap/wrap.hpp"
 #include "geometry/delaunay_geometry.hpp"
 
@@ -27,22 +27,53 @@
 namespace delone::compiled {
 
 template <int K>
-class TriangulationEngineOfDimension final : public TriangulationEngine {
+class TriangulationEngineOf final : public EngineOf<TriangulationEngine, geometry::DelaunayGeometry<K>, K> {
   using Geometry = geometry::DelaunayGeometry<K>;
   using Query = typename Geometry::Query;
+  using Base = EngineOf<TriangulationEngine, Geometry, K>;
+  using Base::build_, Base::gone;
 
  public:
-  TriangulationEngineOfDimension(const std::vector<int>& axes, VertexPoints& points,
-                                 const geometry::Frame& frame, const engine::Effort& effort)
-      : TriangulationEngine(static_cast<int>(axes.size()),
-                            K == points.ambient && points.form == kernel::RowForm::point,
-                            is_shared && points.form != kernel::RowForm::furthest_point
-                                ? engine::few_vertices<K>
-                                : std::numeric_limits<std::size_t>::max()),
-        points_(points),
-        build_(static_cast<int>(axes.size()), cells::ids_for(points.last_expected()), axes, points.ambient,
-               points.coordinates, points.grid, frame) {
+  using Base::cells, Base::geometry;
+
+  TriangulationEngineOf(const std::vector<int>& axes, VertexPoints& points, const geometry::Frame& frame,
+                        const engine::Effort& effort)
+      : Base(static_cast<int>(axes.size()), cells::ids_for(points.last_expected()), axes, points.ambient,
+             points.coordinates, points.grid, frame),
+        points_(points) {
     build_.effort() = effort;
+  }
+
+  const VertexPoints& points() const { return points_; }
+  Index num_infinite() const { return build_.num_infinite(); }
+  Index first_cell() const { return build_.last_cell(); }
+  std::size_t bytes() const {
+    const std::lock_guard lock(creating_functionals_);
+    return cells().bytes();
+  }
+  bool is_worth_wrapping(std::size_t num_points) const {
+    return K == points_.ambient && points_.form == kernel::RowForm::point &&
+           engine::is_worth_wrapping(K, num_points);
+  }
+  /// Makes functionals when they are first needed: of wrapped cells, and after many vertices have moved back.
+  /// Throws Errc::out_of_memory, and then changes nothing.
+  void need_functionals() const {
+    if (functionals_.load(std::memory_order_acquire) == Functionals::ready) [[likely]]
+      return;
+    const std::lock_guard lock(creating_functionals_);
+    const Functionals now = functionals_.load(std::memory_order_relaxed);
+    if (now == Functionals::ready) return;
+    if (now == Functionals::outdated) {
+      build_.geometry().rewrite_rows(points_.last_vertex());
+      build_.create_functionals();
+    } else {
+      try {
+        create_functionals_of_wrapped();
+      } catch (const std::bad_alloc&) {
+        throw Error(Errc::out_of_memory, "not enough memory for what queries and insertions need");
+      }
+    }
+    functionals_.store(Functionals::ready, std::memory_order_release);
   }
 
   void seed(std::span<const Index> vertices) override {
@@ -76,15 +107,14 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
 
   std::unique_ptr<TriangulationEngine> copy(VertexPoints& points) const override {
     const std::lock_guard lock(creating_functionals_);
-    auto result =
-        std::make_unique<TriangulationEngineOfDimension>(geometry().axes(), points, frame(), effort());
+    auto result = std::make_unique<TriangulationEngineOf>(geometry().axes(), points, geometry().frame(),
+                                                          build_.effort());
     result->geometry().set_rows(points.last_vertex());
     result->build_.copy_cells(build_);
     result->functionals_ = functionals_.load();
     return result;
   }
 
-  const geometry::Frame& frame() const override { return geometry().frame(); }
   void set_frame(geometry::Frame frame) override {
     geometry().set_frame(std::move(frame), points_.last_vertex());
     if (functionals_ == Functionals::lacking) return;
@@ -96,19 +126,14 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
     need_functionals();
     engine::Workspace& work = build_.workspace();
     work.tracks_swallowed = points_.form != kernel::RowForm::point;
-    const Index at = build_.insert(v, start);
+    const engine::Change change = Base::insert(v, start);
     work.tracks_swallowed = false;
-    if (at == invalid_index) return {engine::Outcome::hidden};
-    if (at != v) return {engine::Outcome::duplicate, at};
-    Index* const made = work.zone.made.data();
-    std::transform(work.star().begin(), work.star().end(), made,
-                   [](const cells::HorizonFacet& facet) { return facet.created; });
-    return {engine::Outcome::done, v, gone(), {made, work.star().size()}, work.swallowed};
+    return change;
   }
   void insert_all(const engine::Batch& batch) override {
     need_functionals();
     build_.workspace().tracks_swallowed = false;  // also after an insertion that has failed
-    build_.insert_all(batch);
+    Base::insert_all(batch);
   }
   engine::Change remove(Index v, Index cell) override {
     need_functionals();
@@ -150,80 +175,30 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
       geometry().rewrite_rows(points_.last_vertex());
     return relocation.relocate_all(threads, [this] { return query_inside(); });
   }
+  void move_back(std::span<const Index> vertices) noexcept override {
+    for (const Index v : vertices) geometry().rewrite_row(v);
+  }
   void renumber_vertices(std::span<const Index> new_ids) override {
     geometry().prepare_rows(points_.last_vertex());
     build_.renumber_vertices(new_ids);
     geometry().set_rows(points_.last_vertex());
   }
-  void sort_cells([[maybe_unused]] unsigned threads) override {
-    if constexpr (is_shared) build_.sort_cells({points_.last_vertex() + 1, points_.weighted()}, threads);
-  }
-
   void begin_batch(bool is_small) override {
     need_functionals();
-    build_.begin_batch(is_small);
+    Base::begin_batch(is_small);
     renewed_.clear();
     renews_all_ = false;
   }
-  void changed_cells(std::vector<CellId>& gone, std::vector<CellId>& made) const override {
-    build_.changed_cells(gone, made);
-  }
-  void keep_batch() noexcept override { build_.keep_batch(); }
-  void undo_batch(std::span<const Index> moved,
-                  const std::function<void(Index)>& put_back) noexcept override {
-    build_.undo_batch(put_back);
-    for (const Index v : moved) geometry().rewrite_row(v);
+  void undo_batch(const std::function<void(Index)>& put_back) noexcept override {
+    Base::undo_batch(put_back);
     if (renews_all_) functionals_ = Functionals::outdated;
     if (functionals_ != Functionals::ready) return;
     for (const Index cell : renewed_)
       if (cell < cells().num_slots() && !cells().is_vacant(cell))
-        engine::create_functional(cells(), geometry(), cell);
-  }
-
-  QueryLocation locate(const double* query, Index start) const override {
-    need_functionals();
-    const kernel::Grid grid = points_.grid_with(query);
-    Query q = geometry().make_query(query, grid);
-    q.compared = points_.ambient;
-    return compiled::locate(cells(), geometry(), q, start == invalid_index ? build_.last_cell() : start);
-  }
-
-  std::vector<CellId> conflict_zone(const double* query, Index start) const override {
-    need_functionals();
-    const kernel::Grid grid = points_.grid_with(query);
-    const Query q = geometry().make_query(query, grid);
-    return compiled::conflict_zone(cells(), geometry(), q,
-                                   start == invalid_index ? build_.last_cell() : start);
-  }
-
-  Sign unperturbed_side(Index cell, const double* query) const override {
-    const kernel::Grid grid = points_.grid_with(query);
-    const auto vertices = cells().vertices(cell);
-    return geometry().unperturbed_side(vertices, geometry().make_query(query, grid));
-  }
-
-  Complex complex(Index num_vertices, std::span<const CellId> cell_of_vertex) const override {
-    return {cells().links_of_complex(), cells().dimension(),
-            cells().num_slots(),        cells().num_cells() - build_.num_infinite(),
-            build_.num_infinite(),      num_vertices,
-            cell_of_vertex.data(),      static_cast<Index>(cell_of_vertex.size())};
-  }
-  const engine::Effort& effort() const override { return build_.effort(); }
-  std::size_t bytes() const override {
-    const std::lock_guard lock(creating_functionals_);
-    return cells().bytes();
+        engine::create_functional(build_.cells(), geometry(), cell);
   }
 
  private:
-  const Geometry& geometry() const { return build_.geometry(); }
-  Geometry& geometry() { return build_.geometry(); }
-  const engine::CellStore<K>& cells() const { return build_.cells(); }
-
-  /// The cells that the last insertion or removal replaced.
-  std::span<const Index> gone() const {
-    const engine::ConflictZone& zone = build_.workspace().zone;
-    return {zone.cells.data(), zone.num_cells};
-  }
   /// Of the cells of a vertex that has moved. What undoing has to compute.
   void note_renewed(std::span<const Index> renewed) noexcept {
     if (!build_.log().is_on()) return;
@@ -232,27 +207,6 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
     } catch (const std::bad_alloc&) {
       renews_all_ = true;
     }
-  }
-
-  /// Makes functionals when they are first needed: of wrapped cells, and after many vertices have moved back.
-  /// Throws Errc::out_of_memory, and then changes nothing.
-  void need_functionals() const {
-    if (functionals_.load(std::memory_order_acquire) == Functionals::ready) [[likely]]
-      return;
-    const std::lock_guard lock(creating_functionals_);
-    const Functionals now = functionals_.load(std::memory_order_relaxed);
-    if (now == Functionals::ready) return;
-    if (now == Functionals::outdated) {
-      build_.geometry().rewrite_rows(points_.last_vertex());
-      build_.create_functionals();
-    } else {
-      try {
-        create_functionals_of_wrapped();
-      } catch (const std::bad_alloc&) {
-        throw Error(Errc::out_of_memory, "not enough memory for what queries and insertions need");
-      }
-    }
-    functionals_.store(Functionals::ready, std::memory_order_release);
   }
 
   /// Many at a time. REQUIRES that all slots are cells.
@@ -293,7 +247,7 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
   /// A query at a point in the interior of a finite cell, as heavy as the frame allows. Valid until the next.
   std::optional<Query> query_inside() {
     inside_.assign(static_cast<std::size_t>(points_.ambient) + 1, 0.0);
-    if (points_.weighted()) inside_.back() = frame().high().back();
+    if (points_.weighted()) inside_.back() = geometry().frame().high().back();
     for (Index cell = 0, tries = 0; cell < cells().num_slots() && tries < 64; ++cell) {
       if (cells().is_vacant(cell) || cells().infinite_slot(cell) >= 0) continue;
       ++tries;
@@ -302,7 +256,7 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
         inside_[j] = 0;
         for (int i = 0; i <= k; ++i) inside_[j] += points_.point(cells().vertex(cell, i))[j] / (k + 1);
       }
-      if (!frame().contains(inside_.data())) continue;
+      if (!geometry().frame().contains(inside_.data())) continue;
       grid_inside_ = points_.grid_with(inside_.data());
       const Query q = geometry().make_query(inside_.data(), grid_inside_);
       const auto vertices = cells().vertices(cell);
@@ -314,9 +268,6 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
     return std::nullopt;
   }
 
-  /// Whether several threads may insert at once.
-  static constexpr bool is_shared = engine::is_shareable(K);
-
   VertexPoints& points_;
   std::unique_ptr<Edits> edits_;  // from the first edit on
   std::vector<double> before_;    // the point of a vertex that moves
@@ -324,19 +275,25 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
   bool renews_all_ = false;       // … or all
   std::vector<double> inside_;    // the point of query_inside()
   kernel::Grid grid_inside_ = points_.grid;
-  mutable engine::Build<K, Geometry> build_;  // mutable for need_functionals() alone
   /// Of cells: computed, not yet computed, or of other points.
   enum class Functionals : std::uint8_t { ready, lacking, outdated };
   mutable std::atomic<Functionals> functionals_ = Functionals::ready;
   mutable std::mutex creating_functionals_;
 };
 
+// Defined and compiled in a file for each K (triangulation_engine_instance.cpp.in):
+
+/// For axes.size() = K, or any if K is 0.
 template <int K>
-std::unique_ptr<TriangulationEngine> make_triangulation_engine(const std::vector<int>& axes,
-                                                               VertexPoints& points,
-                                                               const geometry::Frame& frame,
-                                                               const engine::Effort& effort) {
-  return std::make_unique<TriangulationEngineOfDimension<K>>(axes, points, frame, effort);
-}
+std::unique_ptr<TriangulationEngine> make_triangulation_engine_of(const std::vector<int>& axes,
+                                                                  VertexPoints& points,
+                                                                  const geometry::Frame& frame,
+                                                                  const engine::Effort& effort);
+template <int K>
+QueryLocation locate(const TriangulationEngineOf<K>& engine, const double* query, Index start);
+template <int K>
+std::vector<CellId> conflict_zone(const TriangulationEngineOf<K>& engine, const double* query, Index start);
+template <int K>
+Sign unperturbed_side(const TriangulationEngineOf<K>& engine, Index cell, const double* query);
 
 }  // namespace delone::compiled
