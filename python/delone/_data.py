@@ -5,12 +5,14 @@ from __future__ import annotations
 import functools
 import operator
 import os
-from typing import Any, Dict, List, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple
 
 import numpy as np
-import numpy.typing as npt
 
 from . import _core
+
+if TYPE_CHECKING:  # it takes longer to import than the module itself
+    import numpy.typing as npt
 
 __all__ = ["ComplexData", "Data", "HullData", "IntersectionData", "VoronoiData"]
 

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable
-from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
-import numpy.typing as npt
 
 from . import _core
 from ._clipping import checked_box
 from ._data import ComplexData, Data, from_core, names, text, whole
 from ._frames import columns_of, framed
+
+if TYPE_CHECKING:  # it takes longer to import than the module itself
+    import numpy.typing as npt
 
 _formats_of_results = ("npz", "json", "off")
 _max_stream_bytes = 1 << 32

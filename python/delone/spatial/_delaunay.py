@@ -23,21 +23,56 @@ SMALLEST_RECIPROCAL_CONDITION = 1000 * np.finfo(float).eps
 DEFAULT_TOLERANCE = 100 * np.finfo(float).eps
 
 
-class _Search:
-    """What the search for accepting simplices needs: which simplices are thin, the bounding box of the points, and the largest
-    diameter of the simplices that are not thin."""
+# Queries from which on those outside of the bounding box are sorted out first: of few, one walk is as fast.
+MANY_QUERIES = 64
 
-    def __init__(self, transform: np.ndarray, core):
+# The most facets of the convex hull, and numbers for all pairs of a facet and a point, for which half-spaces are kept.
+MOST_FACETS, MOST_PRODUCTS = 128, 1_000_000
+
+
+def _reach(tol: float, dimension: int, diameter: float) -> float:
+    """A bound on the distance from a simplex of at most this diameter to points that it accepts: a combination of its vertices.
+    Setting negative coordinates to 0 moves it by at most twice their sum times the diameter."""
+    return 2.1 * (dimension + 1) * tol * min(diameter, 1e300) + 1e-300
+
+
+class _Search:
+    """What the search for accepting simplices needs: which simplices are thin, the largest diameter of those that are not thin,
+    and half-spaces outside of which no point is near the hull."""
+
+    def __init__(self, transform: np.ndarray, core, neighbors: np.ndarray):
         self.is_thin = np.isnan(transform[:, 0, 0])
         self.has_thin = bool(self.is_thin.any())
         points = core.points
-        self.lower, self.upper = _geometry.bounds(points)
         self.diameter = 0.0
         with np.errstate(over="ignore"):
             for begin in range(0, len(transform), 100_000):
                 corners = points[core.cells[begin:begin + 100_000][~self.is_thin[begin:begin + 100_000]]]
                 if len(corners):  # the diagonal of the bounding box
                     self.diameter = max(self.diameter, float(np.sqrt(np.square(np.ptp(corners, axis=1)).sum(axis=1)).max()))
+        self._normals = self._offsets = None
+        simplex, opposite = np.nonzero((neighbors == -1) & ~self.is_thin[:, None])
+        if 0 < len(simplex) <= MOST_FACETS and len(simplex) * len(points) <= MOST_PRODUCTS:
+            self._keep_half_spaces(transform[simplex, :-1], opposite, points)
+
+    def _keep_half_spaces(self, maps: np.ndarray, opposite: np.ndarray, points: np.ndarray) -> None:
+        """Those of the facets of simplices, with the gradients of their barycentric coordinates as normals. The offset of each is
+        such that all points are within it, however the normal was rounded."""
+        with np.errstate(all="ignore"):
+            gradients = np.concatenate([maps, -maps.sum(axis=1, keepdims=True)], axis=1)[np.arange(len(maps)), opposite]
+            normals = -gradients / np.linalg.norm(gradients, axis=1, keepdims=True)
+            offsets = (points @ normals.T).max(axis=0)
+            self._rounding = 1e-14 * points.shape[1] * float(np.abs(points).max())
+        if np.isfinite(normals).all() and self._rounding < 1e280:
+            self._normals, self._offsets = normals, offsets
+
+    def near(self, queries: np.ndarray, reach: float) -> np.ndarray:
+        """The numbers of all queries, near the bounding box, that may be within this distance of the hull, and perhaps of others."""
+        if self._normals is None:
+            return np.arange(len(queries))
+        beyond = queries @ self._normals.T
+        beyond -= self._offsets
+        return np.flatnonzero(beyond.max(axis=1) <= reach + self._rounding)
 
 
 class Delaunay(OfPoints):
@@ -107,7 +142,7 @@ class Delaunay(OfPoints):
     """
 
     _derived = ("simplices", "neighbors", "nsimplex", "affine_dimension", "convex_hull", "coplanar", "good", "_paraboloid",
-                "transform", "equations", "vertex_to_simplex", "vertex_neighbor_vertices", "_search", "_own")
+                "transform", "equations", "vertex_to_simplex", "vertex_neighbor_vertices", "_search", "_box", "_own")
 
     def __init__(self, points, furthest_site=False, incremental=False, qhull_options=None, *, flat=None):
         points = as_points(points)
@@ -272,31 +307,56 @@ class Delaunay(OfPoints):
         tol = DEFAULT_TOLERANCE if tol is None else float(tol)
         if not 0 <= tol < math.inf:
             raise ValueError(f"tol: a finite number >= 0, not {tol}")
-        queries = xi if xi.ndim <= 2 else xi.reshape(-1, self.ndim)
+        if xi.ndim == 1:
+            return np.array(self._find_one(xi, tol), np.intc)
+        queries = xi if xi.ndim == 2 else xi.reshape(-1, self.ndim)
+        in_box = None
+        if len(queries) >= MANY_QUERIES and queries.dtype == np.float64 and self._is_full:
+            inside = self._in_box(queries, tol)
+            in_box = None if inside.all() else np.flatnonzero(inside)
+        if in_box is None:
+            found = self._find_many(queries, tol)
+        else:
+            found = np.full(len(queries), -1, np.intc)
+            found[in_box] = self._find_many(queries[in_box], tol)
+        return found if xi.ndim == 2 else found.reshape(xi.shape[:-1])
+
+    def _find_one(self, query: np.ndarray, tol: float) -> int:
+        try:
+            found = int(self._core.find_simplex(query))
+        except delone.InputError:
+            if np.isfinite(np.asarray(query, dtype=np.float64)).all():
+                raise
+            return -1
+        if not self._is_full or found < 0 and not all(a <= x <= b for x, a, b in zip(query.tolist(), *self._box_of(tol))):
+            return found
+        if found < 0 or self._search.is_thin[found]:
+            return int(self._find_accepting(np.asarray(query[None], dtype=np.float64), np.array([found], np.intc), tol)[0])
+        return found
+
+    def _find_many(self, queries: np.ndarray, tol: float) -> np.ndarray:
+        finite = None
         try:
             found = self._core.find_simplex(queries)
-            finite = None
         except delone.InputError:
-            queries = np.asarray(xi, dtype=np.float64).reshape(-1, self.ndim)
+            queries = np.asarray(queries, dtype=np.float64)
             finite = np.isfinite(queries).all(axis=1)
             found = np.full(len(queries), -1, np.intc)
             found[finite] = self._core.find_simplex(queries[finite])
-        is_full = self.affine_dimension == self.ndim > 0
-        if xi.ndim == 1 and finite is None:
-            found = int(found)
-            if is_full and (found < 0 or self._search.is_thin[found]):
-                found = self._find_accepting(queries[None], np.array([found], np.intc), tol)[0]
-            return np.array(found, np.intc)
-        if is_full:
+        if self._is_full:
             unsure = (found < 0) | self._search.is_thin[found]
             if finite is not None:
                 unsure &= finite
             if unsure.any():
                 queries = np.asarray(queries, dtype=np.float64)
+                if len(queries) < MANY_QUERIES:
+                    unsure[unsure] = self._in_box(queries[unsure], tol)
                 found[unsure] = self._find_accepting(queries[unsure], found[unsure], tol)
-        if xi.ndim == 1:
-            return np.asarray(found, np.intc).reshape(())
-        return found if xi.ndim == 2 else found.reshape(xi.shape[:-1])
+        return found
+
+    @property
+    def _is_full(self) -> bool:
+        return self.affine_dimension == self.ndim > 0
 
     @cached_property
     def _own(self) -> tuple[np.ndarray, np.ndarray]:
@@ -304,17 +364,31 @@ class Delaunay(OfPoints):
         return self._listed()
 
     @cached_property
+    def _box(self) -> tuple[list[float], list[float]]:
+        """The bounding box, whatever the caller does to `min_bound` and `max_bound`."""
+        lower, upper = _geometry.bounds(self._core.points)
+        return lower.tolist(), upper.tolist()
+
+    def _box_of(self, tol: float) -> tuple[list[float], list[float]]:
+        """The box outside of which no simplex accepts a point."""
+        lower, upper = self._box
+        reach = _reach(max(tol, math.sqrt(tol)), self.ndim, math.dist(lower, upper))
+        return [a - reach for a in lower], [b + reach for b in upper]
+
+    def _in_box(self, queries: np.ndarray, tol: float) -> np.ndarray:
+        return np.logical_and.reduce([(x >= a) & (x <= b) for x, a, b in zip(queries.T, *self._box_of(tol))])
+
+    @cached_property
     def _search(self) -> _Search:
-        return _Search(self.transform, self._core)
+        return _Search(self.transform, self._core, self._own[1])
 
     def _find_accepting(self, queries: np.ndarray, found: np.ndarray, tol: float) -> np.ndarray:
-        search, broad = self._search, math.sqrt(tol) if self._search.has_thin else tol
-        # A point that a simplex accepts is a combination of its vertices. Setting negative coordinates to 0 moves it by at most
-        # twice their sum times the diameter.
-        radius = 2.1 * (self.ndim + 1) * max(broad, tol) * search.diameter + 1e-300
-        near = ((queries >= search.lower - radius) & (queries <= search.upper + radius)).all(axis=1)
-        if near.any():
-            accepting = self._core._find_accepting(queries[near], self.transform, self._own[1], tol, broad, min(radius, 1e300))
+        search = self._search
+        broad = math.sqrt(tol) if search.has_thin else tol
+        reach = _reach(max(broad, tol), self.ndim, search.diameter)
+        near = search.near(queries, reach)
+        if len(near):
+            accepting = self._core._find_accepting(queries[near], self.transform, self._own[1], tol, broad, min(reach, 1e300))
             found = found.copy()
             found[near] = np.where(accepting >= 0, accepting, found[near])
         return found

@@ -7,6 +7,7 @@ change nothing. The rest would change the result in a way that has no equivalent
 """
 from __future__ import annotations
 
+import functools
 import re
 from dataclasses import dataclass
 from typing import Optional
@@ -29,32 +30,33 @@ NO_EFFECT = {
     "Tv": "a result can be verified with delone.check",
 }
 _NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+# Patterns are compiled when an option is looked for: most programs give none, and imports stay short.
 NO_EFFECT_PATTERNS = [
-    (re.compile(r"Q\d+"), "Q1 … Q15 steer merging and memory"),
-    (re.compile(r"[fimnops]|F[A-Za-z]|G[a-zA-Z]?|GD\d|Po|Pg|PG"), "the arrays are the output"),
-    (re.compile(rf"T(?:-1|\d+|[acsz]|[FMPRW]{_NUMBER})"), "nothing is traced"),
-    (re.compile(rf"[AUVR]-?{_NUMBER}"), "signs are exact"),
+    (r"Q\d+", "Q1 … Q15 steer merging and memory"),
+    (r"[fimnops]|F[A-Za-z]|G[a-zA-Z]?|GD\d|Po|Pg|PG", "the arrays are the output"),
+    (rf"T(?:-1|\d+|[acsz]|[FMPRW]{_NUMBER})", "nothing is traced"),
+    (rf"[AUVR]-?{_NUMBER}", "signs are exact"),
 ]
 
 # What an option would ask for that has no equivalent here.
 REFUSED = [
-    (re.compile(r"Q[bB][k\d].*"), "it scales or drops a coordinate: do so to the points"),
-    (re.compile(r"QR-?\d*"), "it rotates the points: do so to the points"),
-    (re.compile(r"QV-?\d*"), "facets are not selected by a vertex; see vertex_to_simplex"),
-    (re.compile(r"Qg"), "facets that are not good are built as well; see the attribute good"),
-    (re.compile(r"Qi"), "of points inside a hull no list is kept"),
-    (re.compile(r"Qu"), "only triangulations and diagrams have furthest sites"),
-    (re.compile(r"QG-?"), "the number of a row is missing"),
-    (re.compile(r"QG.*"), "only hulls have facets that a point sees"),
-    (re.compile(r"T[ACV]-?\d+"), "it stops before all points are in"),
-    (re.compile(r"T[IO].*"), "it names a file; arguments and attributes are arrays"),
-    (re.compile(r"P[dD]\d.*|P[AFM]\d+.*"), "it selects facets: do so with the arrays"),
-    (re.compile(r"[dv]|H.*"), "it asks for another program: use the class of that name"),
+    (r"Q[bB][k\d].*", "it scales or drops a coordinate: do so to the points"),
+    (r"QR-?\d*", "it rotates the points: do so to the points"),
+    (r"QV-?\d*", "facets are not selected by a vertex; see vertex_to_simplex"),
+    (r"Qg", "facets that are not good are built as well; see the attribute good"),
+    (r"Qi", "of points inside a hull no list is kept"),
+    (r"Qu", "only triangulations and diagrams have furthest sites"),
+    (r"QG-?", "the number of a row is missing"),
+    (r"QG.*", "only hulls have facets that a point sees"),
+    (r"T[ACV]-?\d+", "it stops before all points are in"),
+    (r"T[IO].*", "it names a file; arguments and attributes are arrays"),
+    (r"P[dD]\d.*|P[AFM]\d+.*", "it selects facets: do so with the arrays"),
+    (r"[dv]|H.*", "it asks for another program: use the class of that name"),
 ]
 
-_GOOD = re.compile(r"QG(-?)(\d+)")
-_JOGGLE = re.compile(rf"QJ(?:{_NUMBER})?")
-_TOLERANCE = re.compile(rf"(C-|[CEW])({_NUMBER})")
+_GOOD = r"QG(-?)(\d+)"
+_JOGGLE = rf"QJ(?:{_NUMBER})?"
+_TOLERANCE = rf"(C-|[CEW])({_NUMBER})"
 # scipy's: they would scale with points that are not there yet.
 _NOT_INCREMENTAL = ("Qbb", "QbB", "Qz")
 
@@ -81,14 +83,18 @@ def parse(text, *, kind: str, furthest_site: bool = False, incremental: bool = F
 
     `kind` is "delaunay", "voronoi", "hull" or "halfspaces". Raises ValueError for an option without a meaning here, naming it.
     """
+    return _parsed(text, kind, bool(furthest_site), bool(incremental))
+
+
+@functools.lru_cache(maxsize=128)
+def _parsed(text, kind: str, furthest_site: bool, incremental: bool) -> Options:
     delaunay = kind in ("delaunay", "voronoi")
     if text is None:
         text = ("Qc" if incremental else "Qbb Qc Qz") if delaunay else ""
     if isinstance(text, bytes):
         text = text.decode("latin1")
-    found = {"furthest": bool(furthest_site)}
+    found = {"furthest": furthest_site}
     for option in text.split():
-        good, tolerance = _GOOD.fullmatch(option), _TOLERANCE.fullmatch(option)
         if incremental and option in _NOT_INCREMENTAL:
             raise ValueError(f"Qhull option {_core._represented(option)} is incompatible with incremental mode")
         if option == "Qbb":
@@ -101,13 +107,13 @@ def parse(text, *, kind: str, furthest_site: bool = False, incremental: bool = F
             found["furthest"] = True
         elif option == "Q0":
             found["unmerged"] = True
-        elif _JOGGLE.fullmatch(option):
+        elif re.fullmatch(_JOGGLE, option):
             found["joggled"] = found["unmerged"] = True
-        elif tolerance:
+        elif tolerance := re.fullmatch(_TOLERANCE, option):
             _set_tolerance(found, tolerance[1], float(tolerance[2]))
-        elif good and kind == "hull":
+        elif kind == "hull" and (good := re.fullmatch(_GOOD, option)):
             found["good_row"], found["good_visible"] = int(good[2]), not good[1]
-        elif option not in NO_EFFECT and not any(pattern.fullmatch(option) for pattern, _ in NO_EFFECT_PATTERNS):
+        elif option not in NO_EFFECT and not any(re.fullmatch(pattern, option) for pattern, _ in NO_EFFECT_PATTERNS):
             raise ValueError(f"Qhull option {_core._represented(option)}: {_refusal(option)}")
     if found["furthest"]:
         found["at_infinity"] = False
@@ -127,6 +133,6 @@ def _set_tolerance(found: dict, option: str, value: float) -> None:
 
 def _refusal(option: str) -> str:
     for pattern, reason in REFUSED:
-        if pattern.fullmatch(option):
+        if re.fullmatch(pattern, option):
             return reason
     return "not known, or without a meaning here"
