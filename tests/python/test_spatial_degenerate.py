@@ -84,7 +84,7 @@ def test_the_measures_of_a_flat_hull_are_limits():
 def test_flat_points_have_a_diagram_in_their_flat():
     diagram = spatial.Voronoi([[0, 0, 1], [2, 0, 1], [0, 2, 1], [2, 2, 1]], flat="result")
     assert diagram.vertices.tolist() == [[1, 1, 1]]
-    assert len(diagram.ridge_points) == 4 and diagram.regions == [[-1, 0]] * 4 + [[]]
+    assert len(diagram.ridge_points) == 4 and diagram.regions == [[]] + [[-1, 0]] * 4
 
 
 @pytest.mark.parametrize("points", [[[1.0, 2.0]], [[1.0, 2.0]] * 3, [[0.0, 0], [1, 1]], [[0.0], [2], [1]], [[0.0, 0], [1, 0], [0, 1]]])

@@ -107,11 +107,15 @@ def test_adding_points_agrees(points, parts):
             diagram.add_points(points)
 
 
-def test_the_last_region_is_empty_where_scipy_has_an_empty_one():
+def test_the_region_of_the_point_at_infinity_is_there_where_scipy_has_it():
     points = np.random.default_rng(1).random((20, 2))
     for options, incremental in [(None, False), (None, True), ("Qbb Qc", False), ("Qbb Qc Qz", False)]:
         ours, theirs = both(points, qhull_options=options, incremental=incremental)
         assert ours.regions.count([]) == theirs.regions.count([])
+        assert (ours.regions[0] == []) == ([] in ours.regions) and all(ours.regions[region] for region in ours.point_region)
+    ours, theirs = both(np.stack(np.meshgrid(range(3), range(3)), -1).reshape(-1, 2).astype(float))  # the example of scipy's documentation
+    assert ours.regions.index([]) == theirs.regions.index([]) == 0
+    assert sorted(ours.point_region) == sorted(theirs.point_region) == list(range(1, 10))
 
 
 def test_ridges_are_found_by_their_points():

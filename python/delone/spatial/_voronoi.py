@@ -107,6 +107,8 @@ class Voronoi(OfPoints):
         point_region = diagram.point_region.astype(np.intp)
         hidden = np.flatnonzero(point_region == -1)
         point_region[hidden] = diagram.num_regions + np.arange(len(hidden))
+        if self._options.at_infinity:
+            point_region += 1
         if not self._options.keep_coplanar:
             point_region[self._core.duplicates[:, 0]] = -1
         # As in scipy, where infinity counts as one vertex, ridges with fewer than k vertices are left out: the cones at one vertex,
@@ -133,12 +135,12 @@ class Voronoi(OfPoints):
     def regions(self) -> list[list[int]]:
         """The vertices of each region, a list of lists of int.
 
-        -1 comes first if the region is unbounded. In cyclic order in the plane. With option Qz, a default, the last one is empty, as
-        in scipy. So are those of points that are not the furthest anywhere.
+        -1 comes first if the region is unbounded. In cyclic order in the plane. With option Qz, a default, the first one is empty, that
+        of the point at infinity: often the first in scipy, too. So are those of points that are not the furthest anywhere.
         """
         regions = _core._lists(*self._regions)
         regions = [[] if region == [-1] else region for region in regions] + [[] for _ in range(self._num_hidden)]
-        return regions + [[]] if self._options.at_infinity else regions
+        return [[], *regions] if self._options.at_infinity else regions
 
     @cached_property
     def ridge_dict(self) -> dict[tuple[int, int], list[int]]:
