@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import importlib
 import threading
+import types
 from typing import Iterable, Optional
 
-# The modules of scipy, the names replaced in each, and the old modules that forward these names.
+# The modules of scipy, the names replaced in each, and modules behind them from which programs import these names, too: those where
+# they are made, and old ones that forward them.
 _REPLACED = {
     "scipy.spatial": (("ConvexHull", "Delaunay", "HalfspaceIntersection", "Voronoi", "convex_hull_plot_2d", "delaunay_plot_2d", "tsearch",
-                       "voronoi_plot_2d"), ("scipy.spatial.qhull",)),
+                       "voronoi_plot_2d"), ("scipy.spatial._qhull", "scipy.spatial._plotutils", "scipy.spatial.qhull")),
     "scipy.interpolate": (("CloughTocher2DInterpolator", "LinearNDInterpolator", "NearestNDInterpolator", "griddata"),
-                          ("scipy.interpolate.ndgriddata",)),
+                          ("scipy.interpolate._interpnd", "scipy.interpolate._ndgriddata", "scipy.interpolate.interpnd",
+                           "scipy.interpolate.ndgriddata")),
 }
 _ABSENT = object()
 _originals: dict = {}  # (module, name): what was there
@@ -66,7 +69,9 @@ def patch_scipy(names: Optional[Iterable[str]] = None):
     Notes
     -----
     ``python -m delone program.py`` runs a program patched. While scipy is patched, `delone.spatial.QhullError` is scipy's own. A
-    second call replaces nothing. Modules that have imported delone's names keep them after `unpatch_scipy`.
+    second call replaces nothing. Modules that have imported delone's names keep them after `unpatch_scipy`. The names are also replaced
+    in the modules of scipy that define or forward them, such as ``scipy.spatial._qhull``. Pickles of scipy's objects are to be loaded
+    before.
 
     Examples
     --------
@@ -82,12 +87,15 @@ def patch_scipy(names: Optional[Iterable[str]] = None):
         raise ValueError(f"patch_scipy: {', '.join(sorted(map(repr, chosen - known)))} is not replaced; known are {', '.join(sorted(known))}")
     places = []
     with _lock:
-        for module_name, (replaced, forwarding) in _REPLACED.items():
+        for module_name, (replaced, behind) in _REPLACED.items():
             wanted = [name for name in replaced if chosen is None or name in chosen]
             if wanted:
                 theirs, ours = importlib.import_module(module_name), importlib.import_module("delone" + module_name[len("scipy"):])
                 places += [_replace(theirs, name, getattr(ours, name)) for name in wanted]
-                places += [_replace(alias, name, getattr(ours, name)) for alias in _forwarding(forwarding) for name in wanted]
+                for module in _existing(behind):
+                    places += [_replace(module, name, getattr(ours, name)) for name in wanted if _has(module, name)]
+        if ("scipy.spatial._qhull", "Delaunay") in _originals:
+            places += [_keep_qhull(module) for module in _existing(("scipy.interpolate._interpnd", "scipy.interpolate.interpnd"))]
         spatial, theirs = importlib.import_module("delone.spatial"), importlib.import_module("scipy.spatial")
         if hasattr(theirs, "QhullError"):
             places.append(_replace(spatial, "QhullError", theirs.QhullError))
@@ -111,15 +119,30 @@ def scipy_is_patched() -> bool:
     return bool(_originals)
 
 
-def _forwarding(names):
-    """Those of the old modules that exist and have no names of their own: one compiled into scipy is left alone, since scipy uses it."""
+def _existing(names):
+    """Those of the modules that this version of scipy has."""
     for name in names:
         try:
-            module = importlib.import_module(name)
+            yield importlib.import_module(name)
         except ImportError:
             continue
-        if not hasattr(module, "__file__") or module.__file__.endswith(".py"):
-            yield module
+
+
+def _has(module, name) -> bool:
+    """Whether the name is one of the module, or one that it forwards."""
+    return name in vars(module) or "__getattr__" in vars(module) and name in getattr(module, "__all__", ())
+
+
+def _keep_qhull(module):
+    """scipy's own interpolators look up Delaunay in the module of Qhull at each call, and need the one that they are compiled for: they
+    get a copy of that module."""
+    qhull = vars(module).get("qhull")
+    if getattr(qhull, "__name__", None) != "scipy.spatial._qhull":
+        return None
+    copy = types.ModuleType(qhull.__name__)
+    vars(copy).update(vars(qhull))
+    vars(copy).update({name: original for (place, name), original in _originals.items() if place == qhull.__name__})
+    return _replace(module, "qhull", copy)
 
 
 def _replace(module, name, value):

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """delone.patch_scipy, and the names of scipy.spatial that delone.spatial passes on."""
+import importlib
+import pickle
 import subprocess
 import sys
 
@@ -53,6 +55,70 @@ def test_a_block_takes_back_what_it_has_replaced(scipy_spatial):
     assert scipy_spatial.Delaunay is original
     with pytest.raises(ValueError, match="'KDTree' is not replaced"):
         delone.patch_scipy(["KDTree"])
+
+
+def places():
+    """(module, name) of all that can be replaced in the modules behind scipy.spatial and scipy.interpolate."""
+    found = []
+    for module, names in [
+            ("scipy.spatial._qhull", "ConvexHull Delaunay HalfspaceIntersection Voronoi tsearch"), ("scipy.spatial._plotutils", "voronoi_plot_2d"),
+            ("scipy.spatial.qhull", "ConvexHull Delaunay HalfspaceIntersection Voronoi"),
+            ("scipy.interpolate._interpnd", "LinearNDInterpolator CloughTocher2DInterpolator"),
+            ("scipy.interpolate.interpnd", "LinearNDInterpolator CloughTocher2DInterpolator"),
+            ("scipy.interpolate._ndgriddata", "LinearNDInterpolator NearestNDInterpolator griddata"),
+            ("scipy.interpolate.ndgriddata", "LinearNDInterpolator NearestNDInterpolator griddata")]:
+        try:
+            found += [(importlib.import_module(module), name) for name in names.split()]
+        except ImportError:  # not in this version
+            continue
+    return found
+
+
+@pytest.mark.filterwarnings("ignore::DeprecationWarning")
+def test_the_modules_behind_are_patched_too(scipy_spatial):
+    before = [getattr(*place) for place in places()]
+    held = [dict(vars(module)) for module, _ in places()]
+    assert any(module.__name__ == "scipy.spatial._qhull" for module, _ in places())
+    delone.patch_scipy()
+    for module, name in places():
+        ours = spatial if ".spatial" in module.__name__ else interpolate
+        assert getattr(module, name) is getattr(ours, name), (module, name)
+    delone.unpatch_scipy()
+    assert [getattr(*place) for place in places()] == before
+    for (module, _), names in zip(places(), held):
+        assert {name: value for name, value in vars(module).items() if name in names} == names
+    with delone.patch_scipy("Voronoi"):
+        assert scipy_spatial._qhull.Voronoi is spatial.Voronoi and scipy_spatial._qhull.Delaunay is not spatial.Delaunay
+
+
+def test_what_was_imported_before_goes_on_with_qhull(scipy_spatial):
+    import scipy.interpolate
+    linear, cubic, triangulation = (scipy.interpolate.LinearNDInterpolator, scipy.interpolate.CloughTocher2DInterpolator, scipy_spatial.Delaunay)
+    points = np.random.default_rng(1).random((30, 2))
+    made = triangulation(points)
+    expected = [kind(made, points[:, 0])(points[:5] * 0.9) for kind in (linear, cubic)]
+    for names in (None, "griddata", "Delaunay"):
+        with delone.patch_scipy(names):
+            for kind, values in zip((linear, cubic), expected):
+                np.testing.assert_array_equal(kind(made, points[:, 0])(points[:5] * 0.9), values)
+                assert type(kind(points, points[:, 0]).tri) is triangulation
+            assert triangulation(points).simplices.shape == made.simplices.shape
+    assert delone.patch_scipy("Delaunay") and delone.patch_scipy()  # one after the other
+    assert type(linear(points, points[:, 0]).tri) is triangulation
+
+
+def test_pickles_of_scipy_are_not_taken_for_ours(scipy_spatial):
+    import scipy.interpolate
+    points = np.random.default_rng(1).random((30, 2))
+    pickles = [pickle.dumps(kind(points)) for kind in (scipy_spatial.Delaunay, scipy_spatial.ConvexHull, scipy_spatial.Voronoi)]
+    pickles.append(pickle.dumps(scipy.interpolate.LinearNDInterpolator(points, points[:, 0], rescale=True)))
+    pickles.append(pickle.dumps(scipy.interpolate.NearestNDInterpolator(points, points[:, 0])))
+    with delone.patch_scipy():
+        for each in pickles:
+            with pytest.raises(TypeError, match="a pickle of scipy's class: load it before patch_scipy"):
+                pickle.loads(each)
+    for each in pickles:
+        assert type(pickle.loads(each)).__module__.startswith("scipy")
 
 
 def test_scipy_works_while_it_is_patched(scipy_spatial):

@@ -7,6 +7,7 @@ import numpy as np
 import delone
 from delone import spatial
 from delone.spatial import _tolerance
+from delone.spatial._base import refuse_state_of_scipy
 
 # scipy's tolerance in barycentric coordinates.
 TOLERANCE = 100 * np.finfo(float).eps
@@ -55,6 +56,8 @@ def triangulation_of(points):
 class Interpolator:
     """Points, perhaps scaled, and their triangulation."""
 
+    _own = "_core"  # an attribute that scipy's class has not
+
     def __init__(self, points, rescale: bool):
         self.tri, points = triangulation_of(points)
         if self.tri is not None and rescale:
@@ -70,6 +73,10 @@ class Interpolator:
             self.scale[~(self.scale > 0)] = 1.0
             points = (points - self.offset) / self.scale
         self.points = points
+
+    def __setstate__(self, state):
+        refuse_state_of_scipy(self, state, self._own)
+        self.__dict__.update(state)
 
     def _queries(self, args) -> tuple[np.ndarray, tuple]:
         """Queries as contiguous (q, d) float64, scaled like the points, and the shape of the answers."""
@@ -89,6 +96,8 @@ class OnTriangulation(Interpolator):
     Queries take the value at a point that is within Qhull's round-off of them, in a simplex thicker than that, if there is one; see
     `delone.Delaunay.find_simplex` with its tolerance. Of those that remain outside, those in scipy's tolerance count as inside.
     """
+
+    _own = "_tri"
 
     def __init__(self, points, values, fill_value, rescale: bool):
         super().__init__(points, rescale)

@@ -58,6 +58,12 @@ def as_points(points, what: str = "points") -> np.ndarray:
     return points
 
 
+def refuse_state_of_scipy(made, state: dict, own: str) -> None:
+    """TypeError for what scipy's class of that name has pickled, without the attribute `own`; while scipy is patched its pickles name ours."""
+    if own not in state:
+        raise TypeError(f"{type(made).__name__}: a pickle of scipy's class: load it before patch_scipy(), or after unpatch_scipy()")
+
+
 class Incremental:
     """Rows of numbers, their bounds, and adding rows.
 
@@ -185,6 +191,7 @@ class Incremental:
         return {name: value for name, value in self.__dict__.copy().items() if name not in self._derived or "_core" not in self.__dict__}
 
     def __setstate__(self, state):
+        refuse_state_of_scipy(self, state, "_options")
         self.__dict__.update(state)
         if "_core" in state:
             self._update()

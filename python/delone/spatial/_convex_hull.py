@@ -10,7 +10,7 @@ import delone
 from delone import _core
 
 from . import _geometry, _options, _tolerance
-from ._base import OfPoints, as_points, qhull_error
+from ._base import OfPoints, as_points, qhull_error, refuse_state_of_scipy
 
 
 class ConvexHull(OfPoints):
@@ -118,6 +118,7 @@ class ConvexHull(OfPoints):
         return state
 
     def __setstate__(self, state):
+        refuse_state_of_scipy(self, state, "_options")
         self.__dict__.update(state)
         if "_core" not in state:
             self._rebuild(self._points)
