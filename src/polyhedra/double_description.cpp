@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "polyhedra/double_description.hpp"
+
+#include "base/progress_meter.hpp"
+#include "polyhedra/ray_graph.hpp"
+#include "polyhedra/ray_numbers.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <utility>
+
+namespace delone::polyhedra {
+namespace {
+
+/// The state between two steps. What a step computes changes it only when all of it is known, so a step can
+/// be repeated with other integers.
+class Steps {
+ public:
+  Steps(const PointedCone& cone, Tier first)
+      : cone_(cone), tier_(first), progress_(no_function_, cone.rows.size()) {}
+
+  PointedRays run() {
+    if (tier_ == Tier::small && !try_all(small_)) {
+      medium_.take(small_);
+      small_ = {};
+      tier_ = Tier::medium;
+    }
+    if (tier_ == Tier::medium && !try_all(medium_)) {
+      large_.take(medium_);
+      medium_ = {};
+      tier_ = Tier::large;
+    }
+    if (tier_ == Tier::large) try_all(large_);
+    if (tier_ == Tier::small) return result(small_);
+    return tier_ == Tier::medium ? result(medium_) : result(large_);
+  }
+
+ private:
+  template <class T>
+  bool try_all(RayNumbers<T>& numbers) {
+    if (!numbers.try_set_rows(cone_.rows)) return false;
+    if (!graph_ && !try_begin(numbers)) return false;
+    for (; row_ < cone_.rows.size(); ++row_) {
+      progress_(row_);
+      if (graph_->cuts(row_) && !try_step(numbers)) return false;
+    }
+    return true;
+  }
+  template <class T>
+  bool try_begin(RayNumbers<T>& numbers) {
+    numbers.clear_rays();
+    for (const Row& ray : cone_.first_rays)
+      if (!numbers.try_add_ray(ray)) return false;
+    RayGraph graph(cone_.rows);
+    const std::size_t d = cone_.first_rays.size();
+    for (RayId ray = 0; ray < d; ++ray) {
+      std::vector<std::uint64_t> zeros(words_for(cone_.rows.size()), 0);
+      for (std::size_t row = 0; row < d; ++row)
+        if (row != ray) insert(zeros, row);
+      const std::uint32_t first_negative = numbers.find_signs_of(ray, d, zeros);
+      graph.add(zeros, first_negative);
+    }
+    graph.connect_all();
+    graph_ = std::move(graph);
+    row_ = d;
+    return true;
+  }
+  template <class T>
+  bool try_step(RayNumbers<T>& numbers) {
+    NewRays made;
+    made.edges = graph_->edges_cut_by(row_);
+    if (!numbers.try_cut(row_, *graph_, made)) return false;
+    std::vector<RayId> ids;
+    graph_->commit(row_, made, ids);
+    numbers.commit(*graph_, ids);
+    graph_->connect(row_);
+    return true;
+  }
+  template <class T>
+  PointedRays result(const RayNumbers<T>& numbers) const {
+    PointedRays result;
+    result.zeros = BitRows(graph_->rays().size(), cone_.rows.size());
+    for (const RayId ray : graph_->rays()) {
+      const ConstBits zeros = graph_->zeros(ray);
+      std::copy(zeros.begin(), zeros.end(), result.zeros[result.rays.size()].begin());
+      result.rays.push_back(numbers.ray(ray));
+    }
+    return result;
+  }
+
+  const PointedCone& cone_;
+  Tier tier_;
+  const std::function<bool(double)> no_function_;
+  internal::ProgressMeter progress_;
+  std::optional<RayGraph> graph_;
+  std::size_t row_ = 0;
+  RayNumbers<std::int64_t> small_;
+  RayNumbers<Int128> medium_;
+  RayNumbers<Integer> large_;
+};
+
+}  // namespace
+
+PointedRays find_rays_of_pointed(const PointedCone& cone, Tier first) { return Steps(cone, first).run(); }
+
+}  // namespace delone::polyhedra

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The coordinates of the rays of the double description method, in one kind of integers.
+#pragma once
+
+#include "polyhedra/arithmetic.hpp"
+#include "polyhedra/ray_graph.hpp"
+#include "polyhedra/sign_kernel.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace delone::polyhedra {
+
+inline double rounded(std::int64_t x) { return static_cast<double>(x); }
+inline double rounded(const Int128& x) { return static_cast<double>(x); }
+inline double rounded(const Integer& x) {
+  if (bit_length(x) > 1023)
+    return x < 0 ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
+  return x.convert_to<double>();
+}
+inline Integer as_integer(std::int64_t x) { return Integer(x); }
+inline Integer as_integer(const Int128& x) { return Integer(x); }
+inline Integer as_integer(const Integer& x) { return x; }
+
+/// Functions that begin with try_ return false if a number is too large for T; what is there stays.
+template <class T>
+class RayNumbers {
+ public:
+  bool try_set_rows(const Rows& rows) {
+    dimension_ = rows.front().size();
+    if (dimension_ > Arithmetic<T>::largest_dimension) return false;
+    rows_.clear();
+    rows_.reserve(rows.size() * dimension_);
+    int bits = 0;
+    T entry;
+    for (const Row& row : rows)
+      for (const Integer& x : row) {
+        bits = std::max(bits, bit_length(x));
+        if (bits > Arithmetic<T>::most_bits_of_rows || !Arithmetic<T>::try_convert(x, entry)) return false;
+        rows_.push_back(entry);
+      }
+    arithmetic_.set_rows(bits, dimension_);
+    rounded_rows_ = RoundedRows(rows.size(), dimension_, [&](std::size_t row, std::size_t column) {
+      return rounded(rows_[row * dimension_ + column]);
+    });
+    rounded_ray_.resize(dimension_);
+    open_.resize(words_for(rows.size()));
+    return true;
+  }
+  /// Takes over the rays of a smaller kind of integers, which must all fit.
+  template <class Smaller>
+  void take(const RayNumbers<Smaller>& other) {
+    rays_.clear();
+    rays_.reserve(other.rays().size());
+    for (const Smaller& x : other.rays()) rays_.emplace_back(x);
+  }
+  void clear_rays() { rays_.clear(); }
+  bool try_add_ray(const Row& ray) {
+    T entry;
+    for (const Integer& x : ray) {
+      if (!Arithmetic<T>::try_convert(x, entry)) return false;
+      rays_.push_back(entry);
+    }
+    return true;
+  }
+
+  const std::vector<T>& rays() const { return rays_; }
+  Row ray(RayId id) const {
+    Row row;
+    row.reserve(dimension_);
+    for (std::size_t i = 0; i < dimension_; ++i) row.push_back(as_integer(of(id)[i]));
+    return row;
+  }
+  std::uint32_t find_signs_of(RayId id, std::size_t first, Bits zeros) {
+    return find_signs_at(of(id), first, zeros);
+  }
+
+  /// Computes where a row meets the edges that it cuts, with what is known of the new rays then.
+  bool try_cut(std::size_t row, const RayGraph& graph, NewRays& made) {
+    const std::size_t d = dimension_, words = row / 64 + 1;
+    made.zeros = BitRows(made.edges.size(), graph.num_rows());
+    made.first_negative.resize(made.edges.size());
+    new_rays_.resize(made.edges.size() * d);
+    for (std::size_t i = 0; i < made.edges.size(); ++i) {
+      internal::cancellation_point();
+      const auto [positive, negative] = made.edges[i];
+      typename Arithmetic<T>::Product at_positive, at_negative;
+      if (!arithmetic_.try_product(row_at(row), of(positive), d, at_positive) ||
+          !arithmetic_.try_product(row_at(row), of(negative), d, at_negative) ||
+          !arithmetic_.try_combine(of(positive), of(negative), at_positive,
+                                   typename Arithmetic<T>::Product(-at_negative), d, &new_rays_[i * d]))
+        return false;
+      // All rays are on the inner side of earlier rows: a sum of two lies on those that both lie on.
+      const Bits zeros = made.zeros[i];
+      const ConstBits a = graph.zeros(positive), b = graph.zeros(negative);
+      for (std::size_t w = 0; w < words; ++w) zeros[w] = a[w] & b[w];
+      zeros[words - 1] &= bit(row) - 1;
+      insert(zeros, row);
+      made.first_negative[i] = find_signs_at(&new_rays_[i * d], row + 1, zeros);
+    }
+    return true;
+  }
+  void commit(const RayGraph& graph, const std::vector<RayId>& ids) {
+    rays_.resize(graph.capacity() * dimension_);
+    for (std::size_t i = 0; i < ids.size(); ++i)
+      std::move(new_rays_.begin() + static_cast<std::ptrdiff_t>(i * dimension_),
+                new_rays_.begin() + static_cast<std::ptrdiff_t>((i + 1) * dimension_),
+                rays_.begin() + static_cast<std::ptrdiff_t>(ids[i] * dimension_));
+  }
+
+ private:
+  const T* of(RayId id) const { return rays_.data() + static_cast<std::size_t>(id) * dimension_; }
+  const T* row_at(std::size_t row) const { return rows_.data() + row * dimension_; }
+
+  /// The first row from `first` on that the ray is beyond; inserts those before that it lies on.
+  std::uint32_t find_signs_at(const T* ray, std::size_t first, Bits zeros) {
+    for (std::size_t i = 0; i < dimension_; ++i) rounded_ray_[i] = rounded(ray[i]);
+    std::fill(open_.begin() + static_cast<std::ptrdiff_t>(first / 64), open_.end(), 0);
+    std::size_t end = find_signs(rounded_rows_, rounded_ray_, first, zeros, open_);
+    for (std::size_t w = first / 64; 64 * w < end && w < open_.size(); ++w)
+      for (std::uint64_t word = open_[w]; word != 0; word &= word - 1) {
+        const std::size_t row = 64 * w + static_cast<std::size_t>(std::countr_zero(word));
+        const int sign = arithmetic_.sign_of_open(row_at(row), ray, dimension_);
+        if (sign == 0) insert(zeros, row);
+        if (sign < 0) {
+          forget_from(row, zeros);
+          return static_cast<std::uint32_t>(row);
+        }
+      }
+    return end == rounded_rows_.size() ? RayGraph::none : static_cast<std::uint32_t>(end);
+  }
+  static void forget_from(std::size_t row, Bits zeros) {
+    zeros[row / 64] &= bit(row) - 1;
+    for (std::size_t w = row / 64 + 1; w < zeros.size(); ++w) zeros[w] = 0;
+  }
+
+  Arithmetic<T> arithmetic_;
+  std::size_t dimension_ = 0;
+  std::vector<T> rows_, rays_, new_rays_;
+  RoundedRows rounded_rows_;
+  std::vector<double> rounded_ray_;
+  std::vector<std::uint64_t> open_;
+};
+
+}  // namespace delone::polyhedra
