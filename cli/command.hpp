@@ -35,6 +35,7 @@ using Run = std::function<int()>;
 Run add_delaunay(CLI::App& app);
 Run add_hull(CLI::App& app);
 Run add_halfspaces(CLI::App& app);
+Run add_polyhedron(CLI::App& app);
 Run add_voronoi(CLI::App& app);
 Run add_regular(CLI::App& app);
 Run add_power(CLI::App& app);

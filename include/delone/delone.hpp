@@ -26,9 +26,12 @@
 #include <delone/point_locator.hpp>
 #include <delone/point_sets.hpp>
 #include <delone/points.hpp>
+#include <delone/polyhedron.hpp>
+#include <delone/polyhedron_io.hpp>
 #include <delone/predicates.hpp>
 #include <delone/printable.hpp>
 #include <delone/progress.hpp>
+#include <delone/rational.hpp>
 #include <delone/readable.hpp>
 #include <delone/regular.hpp>
 #include <delone/triangulation.hpp>

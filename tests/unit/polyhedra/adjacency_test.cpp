@@ -73,8 +73,8 @@ Rows cut_cube(std::size_t d, std::size_t cuts, std::int64_t depth) {
 }
 
 TEST(Adjacency, OfSimpleAndOtherRays) {
-  expect_the_same_pairs(cut_cube(8, 0, 1), 9);   // all are simple
-  expect_the_same_pairs(cut_cube(8, 5, 2), 9);   // some cuts go through corners
+  expect_the_same_pairs(cut_cube(8, 0, 1), 9);  // all are simple
+  expect_the_same_pairs(cut_cube(8, 5, 2), 9);  // some cuts go through corners
   expect_the_same_pairs(cut_cube(7, 30, 4), 8);
   expect_the_same_pairs(cut_cube(3, 8, 2), 4);
 }
