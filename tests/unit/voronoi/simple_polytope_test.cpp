@@ -100,11 +100,11 @@ TEST(SimplePolytope, NeedleOfASimplex) {
 
 TEST(SimplePolytope, AtTheEndsOfTheRange) {
   EXPECT_NEAR(BoxCorners(2, -1e150, 1e150).volume() / 4e300, 1, 1e-14);
-  EXPECT_EQ(BoxCorners(3, -1e150, 1e150).volume(), internal::infinity);
+  EXPECT_EQ(BoxCorners(3, -1e150, 1e150).volume(), infinity);
   EXPECT_NEAR(BoxCorners(2, 1e-160, 3e-160).volume(), 4e-320, 1e-323);
   EXPECT_EQ(BoxCorners(3, 1e-160, 3e-160).volume(), 0);
-  EXPECT_EQ(BoxCorners(2, 0, internal::infinity).volume(), internal::infinity);
-  EXPECT_EQ(BoxCorners(1, -1.5e308, 1.5e308).volume(), internal::infinity);
+  EXPECT_EQ(BoxCorners(2, 0, infinity).volume(), infinity);
+  EXPECT_EQ(BoxCorners(1, -1.5e308, 1.5e308).volume(), infinity);
 }
 
 }  // namespace
