@@ -71,13 +71,13 @@ const Members& MadeDiagram::members() const {
           member<Made>("region_points", [](const Made& o) { return list(o.diagram().region_points()); }),
           member<Made>("region_volumes",
                        [](const Made& o) {
-                         return list(
-                             o.region_volumes_.get([&] { return o.diagram().region_volumes(o.threads_); }));
+                         return list(o.region_volumes_.get(
+                             [&] { return o.diagram().region_volumes({.threads = o.threads_}); }));
                        }),
           member<Made>("ridge_volumes",
                        [](const Made& o) {
-                         return list(
-                             o.ridge_volumes_.get([&] { return o.diagram().ridge_volumes(o.threads_); }));
+                         return list(o.ridge_volumes_.get(
+                             [&] { return o.diagram().ridge_volumes({.threads = o.threads_}); }));
                        }),
       };
   return all;
@@ -101,15 +101,15 @@ int delone_voronoi(const delone_object* triangulation, const delone_options* opt
                    delone_object** object) {
   return make(object, [&] {
     const MadeTriangulation& of = as_made(triangulation);
-    DiagramOptions how;
-    how.tolerance = given(options).tolerance;
-    how.threads = given(options).threads;
+    const DiagramOptions wanted{.tolerance = given(options).tolerance};
+    const Execution how = execution(options);
     const AnyTriangulation& any = of.product()->any;
     if (const auto* const delaunay = std::get_if<Delaunay<>>(&any))
-      return std::make_unique<MadeDiagram>(Voronoi<>(*delaunay, how), how.threads);
+      return std::make_unique<MadeDiagram>(Voronoi<>(*delaunay, wanted, how), how.threads);
     if (const auto* const regular = std::get_if<Regular<>>(&any))
-      return std::make_unique<MadeDiagram>(PowerDiagram<>(*regular, how), how.threads);
-    return std::make_unique<MadeDiagram>(FurthestVoronoi<>(std::get<FurthestSite<>>(any), how), how.threads);
+      return std::make_unique<MadeDiagram>(PowerDiagram<>(*regular, wanted, how), how.threads);
+    return std::make_unique<MadeDiagram>(FurthestVoronoi<>(std::get<FurthestSite<>>(any), wanted, how),
+                                         how.threads);
   });
 }
 
@@ -120,7 +120,7 @@ int delone_region_volumes(const delone_object* diagram, const double* low, const
     const auto d = static_cast<std::size_t>(of.dimension());
     const std::span<const double> from = matrix(low, d, 1, "low"), to = matrix(high, d, 1, "high");
     const std::vector<double> found =
-        of.region_volumes({{from.begin(), from.end()}, {to.begin(), to.end()}}, given(options).threads);
+        of.region_volumes({{from.begin(), from.end()}, {to.begin(), to.end()}}, execution(options));
     if (!found.empty()) std::ranges::copy(found, &required(volumes, "volumes"));
   });
 }

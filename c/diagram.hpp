@@ -19,8 +19,8 @@ namespace delone::c {
 class DiagramObject : public delone_object {
  public:
   virtual const VoronoiData& data() const = 0;
-  CheckReport check(const CheckOptions& options) const override {
-    return delone::check(data(), of_any_data(options));
+  CheckReport check(const CheckOptions& options, const Execution& how) const override {
+    return delone::check(data(), of_any_data(options), how);
   }
   void write(const std::string& path, const std::string& format) const override;
 

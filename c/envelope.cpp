@@ -41,8 +41,8 @@ std::unique_ptr<delone_object> EnvelopeObject::clone() const {
   return std::make_unique<EnvelopeObject>(hull_.clone());
 }
 
-CheckReport EnvelopeObject::check(const CheckOptions& options) const {
-  return delone::check(hull_.to_data(), of_any_data(options));
+CheckReport EnvelopeObject::check(const CheckOptions& options, const Execution& how) const {
+  return delone::check(hull_.to_data(), of_any_data(options), how);
 }
 
 void EnvelopeObject::write(const std::string& path, const std::string& format) const {

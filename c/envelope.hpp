@@ -19,7 +19,7 @@ class EnvelopeObject final : public delone_object {
   const char* kind() const override { return hull_.side() == HullSide::lower ? "lower_hull" : "upper_hull"; }
   const Members& members() const override;
   std::unique_ptr<delone_object> clone() const override;
-  CheckReport check(const CheckOptions& options) const override;
+  CheckReport check(const CheckOptions& options, const Execution& how) const override;
   void write(const std::string& path, const std::string& format) const override;
   const LowerHull<>& hull() const { return hull_; }
 

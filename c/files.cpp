@@ -99,21 +99,22 @@ using namespace delone;
 using namespace delone::c;
 
 int delone_check(const delone_object* object, const delone_options* options, delone_object** report) {
-  return make(report,
-              [&] { return object_of(required(object, "the object").check(check_options(options))); });
+  return make(report, [&] {
+    return object_of(required(object, "the object").check(given(options).check, execution(options)));
+  });
 }
 
 int delone_read(const char* path, const delone_options* options, delone_object** object) {
   return make(object, [&] {
-    const ReadOptions how = read_options(options);
+    const ReadOptions& wanted = given(options).read;
     return std::visit([](auto&& data) { return object_of(std::move(data)); },
-                      read(&required(path, "the path"), how.format, how.max_stream_bytes));
+                      read(&required(path, "the path"), wanted.format, wanted.max_stream_bytes));
   });
 }
 
 int delone_read_points(const char* path, const delone_options* options, delone_object** object) {
   return make(object, [&] {
-    PointTable read = read_points(&required(path, "the path"), read_options(options));
+    PointTable read = read_points(&required(path, "the path"), given(options).read, execution(options));
     auto results = std::make_unique<Results>("points");
     results->add("dimension", std::int64_t{read.dimension});
     results->add("num_points", static_cast<std::int64_t>(read.num_points()));
@@ -160,8 +161,10 @@ int delone_check_tiles(const char* folder, const double* rows, std::size_t num_r
                        const delone_options* options, delone_object** report) {
   return make(report, [&] {
     const std::string path = &required(folder, "the folder");
-    const CheckOptions how = check_options(options);
-    return object_of(rows == nullptr ? check_tiles(path, how)
-                                     : check_tiles(path, view_of(rows, num_rows, columns, "rows"), how));
+    const CheckOptions& wanted = given(options).check;
+    const Execution how = execution(options);
+    return object_of(rows == nullptr
+                         ? check_tiles(path, wanted, how)
+                         : check_tiles(path, view_of(rows, num_rows, columns, "rows"), wanted, how));
   });
 }

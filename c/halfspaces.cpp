@@ -93,9 +93,9 @@ const Members& MadeIntersection::members() const {
   static const Members all =
       members_of_data() +
       Members{
-          member<Made>("volume", [](const Made& o) { return o.polyhedron_.volume(); }),
-          member<Made>("dual_volume", [](const Made& o) { return o.polyhedron_.dual_volume(); }),
-          member<Made>("dual_area", [](const Made& o) { return o.polyhedron_.dual_area(); }),
+          member<Made>("volume", [](const Made& o) { return o.polyhedron_.volume().value; }),
+          member<Made>("dual_volume", [](const Made& o) { return o.polyhedron_.dual_volume().value; }),
+          member<Made>("dual_area", [](const Made& o) { return o.polyhedron_.dual_area().value; }),
       };
   return all;
 }

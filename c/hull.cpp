@@ -17,8 +17,8 @@ using Made = MadeHull;
 
 }  // namespace
 
-CheckReport HullObject::check(const CheckOptions& options) const {
-  return delone::check(with_points(), of_any_data(options));
+CheckReport HullObject::check(const CheckOptions& options, const Execution& how) const {
+  return delone::check(with_points(), of_any_data(options), how);
 }
 
 void HullObject::write(const std::string& path, const std::string& format) const {

@@ -19,7 +19,7 @@ class HullObject : public delone_object {
  public:
   virtual const HullData& data() const = 0;  // maybe without points
   virtual const std::vector<double>& points() const = 0;
-  CheckReport check(const CheckOptions& options) const override;
+  CheckReport check(const CheckOptions& options, const Execution& how) const override;
   void write(const std::string& path, const std::string& format) const override;
 
  protected:

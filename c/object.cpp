@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "object.hpp"
 
-#include <delone/printable.hpp>
+#include "messages/in_quotes.hpp"
 
 #include <string_view>
 
@@ -14,7 +14,9 @@ std::unique_ptr<delone_object> delone_object::clone() const { refuse("cloned"); 
 
 void delone_object::insert(const double*, std::size_t, const double*) { refuse("inserted into"); }
 
-delone::CheckReport delone_object::check(const delone::CheckOptions&) const { refuse("checked"); }
+delone::CheckReport delone_object::check(const delone::CheckOptions&, const delone::Execution&) const {
+  refuse("checked");
+}
 
 void delone_object::write(const std::string&, const std::string&) const { refuse("written"); }
 
@@ -40,7 +42,7 @@ T get(const delone_object* object, const char* name, int type) {
     all += (all.empty() ? "" : ", ") + std::string(one.name);
   }
   throw Error(Errc::invalid_argument, "an object of the kind " + std::string(of.kind()) + " has no " +
-                                          name_of_type(type) + " " + in_quotes(wanted) +
+                                          name_of_type(type) + " " + messages::in_quotes(wanted) +
                                           (all.empty() ? "" : "; it has " + all));
 }
 

@@ -49,7 +49,7 @@ struct delone_object {
   // Of the kinds that can do this; others throw unsupported.
   virtual std::unique_ptr<delone_object> clone() const;
   virtual void insert(const double* rows, std::size_t num_rows, const double* weights);
-  virtual delone::CheckReport check(const delone::CheckOptions& options) const;
+  virtual delone::CheckReport check(const delone::CheckOptions& options, const delone::Execution& how) const;
   virtual void write(const std::string& path, const std::string& format) const;
 
  protected:
@@ -71,7 +71,6 @@ T& as(Object* object, const char* expected) {
 inline CheckOptions of_any_data(const CheckOptions& options) {
   CheckOptions result;
   result.up_to = options.up_to;
-  result.threads = options.threads;
   return result;
 }
 

@@ -2,8 +2,7 @@
 #include "options.hpp"
 
 #include "call.hpp"
-
-#include <delone/printable.hpp>
+#include "messages/in_quotes.hpp"
 
 #include <array>
 #include <charconv>
@@ -58,7 +57,7 @@ std::size_t as_choice(std::string_view name, std::string_view word,
     if (choices[i] == word) return i;
     all += (i == 0 ? "" : ", ") + std::string(choices[i]);
   }
-  refuse(name, in_quotes(word) + " is none of " + all);
+  refuse(name, messages::in_quotes(word) + " is none of " + all);
 }
 
 constexpr std::array<std::string_view, 3> orders{"automatic", "as_given", "shuffled"};
@@ -148,8 +147,9 @@ const Setter<Value>& require_setter(std::span<const Setter<Value>> setters, cons
   const std::string_view wanted = &required(name, "the name of the option");
   const Setter<Value>* const setter = find<Value>(setters, wanted);
   if (setter == nullptr)
-    throw Error(Errc::invalid_argument, std::string("there is no ") + type + " option " + in_quotes(wanted) +
-                                            "; there are " + names_of<Value>(setters));
+    throw Error(Errc::invalid_argument, std::string("there is no ") + type + " option " +
+                                            messages::in_quotes(wanted) + "; there are " +
+                                            names_of<Value>(setters));
   return *setter;
 }
 
@@ -172,26 +172,13 @@ Options with_tolerance(const delone_options* options) {
   return result;
 }
 
+Execution execution(const delone_options* options) { return {.threads = given(options).threads}; }
+
 LocateOptions locate_options(const delone_options* options) {
   const delone_options& from = given(options);
   if (from.outside == Outside::nearest || from.outside == Outside::error)
     refuse("outside", "queries are located with \"fill\" or \"project\"");
-  return {.tolerance = from.tolerance,
-          .project = from.outside == Outside::project,
-          .coordinates = true,
-          .threads = from.threads};
-}
-
-CheckOptions check_options(const delone_options* options) {
-  CheckOptions result = given(options).check;
-  result.threads = given(options).threads;
-  return result;
-}
-
-ReadOptions read_options(const delone_options* options) {
-  ReadOptions result = given(options).read;
-  result.threads = given(options).threads;
-  return result;
+  return {.tolerance = from.tolerance, .project = from.outside == Outside::project, .coordinates = true};
 }
 
 TilesOptions tiles_options(const delone_options* options) {

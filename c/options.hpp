@@ -36,9 +36,8 @@ Options with_tolerance(const delone_options* options);
 Options without_tolerance(const delone_options* options);
 
 /// Throws invalid_argument for `outside` = "nearest" and "error".
+Execution execution(const delone_options* options);
 LocateOptions locate_options(const delone_options* options);
-CheckOptions check_options(const delone_options* options);
-ReadOptions read_options(const delone_options* options);
 TilesOptions tiles_options(const delone_options* options);
 
 }  // namespace delone::c

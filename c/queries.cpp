@@ -161,7 +161,7 @@ int delone_nearest(const delone_object* triangulation, const double* queries, st
           std::ranges::transform(nearest, to.subspan(i * count).begin(),
                                  [&](VertexId v) { return of.row_of(v); });
         },
-        given(options).threads);
+        execution(options));
   });
 }
 
@@ -178,7 +178,7 @@ int delone_cells_within(const delone_object* triangulation, const double* querie
           found[i].push_back(numbers.row(cell));
           return true;
         },
-        given(options).threads);
+        execution(options));
     for (std::vector<std::int64_t>& one : found) std::ranges::sort(one);
     return lists_of("cells", found);
   });
@@ -241,14 +241,14 @@ int delone_interpolate(const delone_object* interpolator, const double* queries,
     evaluate.outside = how.outside;
     evaluate.fill = fill;
     evaluate.tolerance = how.tolerance;
-    evaluate.threads = how.threads;
+    const Execution execution{.threads = how.threads};
     std::visit(
         [&](const auto& one) {
           const std::size_t size = num_queries * by.columns();
-          if (values != nullptr) one.evaluate(points.coordinates(), {values, size}, evaluate);
+          if (values != nullptr) one.evaluate(points.coordinates(), {values, size}, evaluate, execution);
           if (gradients != nullptr)
             one.gradients(points.coordinates(), {gradients, size * static_cast<std::size_t>(by.dimension())},
-                          evaluate);
+                          evaluate, execution);
         },
         by.any());
   });

@@ -114,7 +114,7 @@ const PointLocator& MadeTriangulation::locator() const {
 }
 
 const std::string& MadeTriangulation::hash() const {
-  return hash_.get([&] { return product_->common().hash(threads_).hex(); });
+  return hash_.get([&] { return product_->common().hash({.threads = threads_}).hex(); });
 }
 
 std::unique_ptr<delone_object> MadeTriangulation::clone() const {

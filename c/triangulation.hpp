@@ -33,7 +33,9 @@ class TriangulationObject : public delone_object {
   virtual std::size_t num_points() const { return data().num_points(); }
   virtual std::size_t num_cells() const { return data().num_cells(); }
   virtual DataKind data_kind() const { return data().kind; }
-  CheckReport check(const CheckOptions& options) const override { return delone::check(data(), options); }
+  CheckReport check(const CheckOptions& options, const Execution& how) const override {
+    return delone::check(data(), options, how);
+  }
   void write(const std::string& path, const std::string& format) const override;
 
  protected:

@@ -37,10 +37,10 @@ int make_complex(Product triangulation, const AlphaCommandOptions& options,
   const AlphaComplex complex = about(name, [&] {
     ProgressBar bar(build.quiet);
     const StageGuard guard(Stage::building);
-    const FaceOptions face_options{.threads = build.threads, .progress = bar.callback()};
+    const Execution how{.threads = build.threads, .progress = bar.callback()};
     return options.squared_radius
-               ? AlphaComplex::of_squared_radius(triangulation, *options.squared_radius, face_options)
-               : AlphaComplex(triangulation, *options.radius, face_options);
+               ? AlphaComplex::of_squared_radius(triangulation, *options.squared_radius, how)
+               : AlphaComplex(triangulation, *options.radius, how);
   });
   const double complex_seconds = seconds_since(stage_start);
   stage_start = Clock::now();

@@ -188,11 +188,11 @@ int run_check(Data data, const CheckCommandOptions& options) {
     if (!options.points.path.empty()) replace_points(data, options);
   CheckOptions check_options;
   check_options.up_to = options.level;
-  check_options.threads = options.threads;
   check_options.canonical = options.canonical;
   check_options.oriented = !options.any_orientation;
   check_options.furthest_site = options.furthest_site;
-  const CheckReport report = about(input_name(options.path), [&] { return check(data, check_options); });
+  const CheckReport report = about(input_name(options.path),
+                                   [&] { return check(data, check_options, {.threads = options.threads}); });
 
   const DataKind kind = kind_of(data, options);
   return print_report(options, kind, contents(data), report, ties(data, report), result(data, kind));
@@ -207,13 +207,14 @@ int run_check_tiles(const CheckCommandOptions& options) {
   const TilesIndex index = read_finished(options.path);
   CheckOptions check_options;
   check_options.up_to = options.level;
-  check_options.threads = options.threads;
   check_options.canonical = options.canonical;
   std::optional<PointTable> input;
   if (!options.points.path.empty()) input = options.points.read(options.threads);
   const CheckReport report = about(input_name(options.path), [&] {
-    return input ? check_tiles(options.path, PointsView(input->coordinates, input->dimension), check_options)
-                 : check_tiles(options.path, check_options);
+    const Execution how{.threads = options.threads};
+    return input ? check_tiles(options.path, PointsView(input->coordinates, input->dimension), check_options,
+                               how)
+                 : check_tiles(options.path, check_options, how);
   });
   return print_report(
       options, DataKind::unknown,

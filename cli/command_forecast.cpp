@@ -4,6 +4,7 @@
 #include "build_options.hpp"
 #include "command.hpp"
 #include "interrupt.hpp"
+#include "messages/readable.hpp"
 #include "output.hpp"
 #include "report.hpp"
 
@@ -32,13 +33,13 @@ Forecast make_forecast(const ForecastCommand& options, const CLI::App& app) {
     throw UsageError("-d, -n and --kind are for a forecast without points: leave them or the file out");
   if (!has_file && (app.count("-d") == 0 || app.count("-n") == 0))
     throw UsageError("a file of points is needed, or -d and -n");
-  if (!has_file) return forecast(options.dimension, count_of(options.count), options.kind, options.threads);
+  if (!has_file)
+    return forecast(options.dimension, count_of(options.count), options.kind, {.threads = options.threads});
   const PointTable table = options.input.read(options.threads);
   const StageGuard guard(Stage::building);
-  EstimateOptions how;
-  how.threads = options.threads;
   return about(input_name(options.input.path), [&] {
-    return estimate(PointsView(table.coordinates, table.dimension), table.dimension, how);
+    return estimate(PointsView(table.coordinates, table.dimension), table.dimension,
+                    {.threads = options.threads});
   });
 }
 
@@ -80,8 +81,8 @@ int run_forecast(const ForecastCommand& options, const CLI::App& app) {
   if (found.vertices.expected < static_cast<double>(found.num_points))
     summary.line("vertices", in_words(found.vertices, [](double x) { return fmt::format("{:.3g}", x); }));
   summary.line("cells", in_words(found.cells, [](double x) { return fmt::format("{:.3g}", x); }));
-  summary.line("memory", in_words(found.bytes, readable_bytes));
-  summary.line("time", in_words(found.seconds, readable_seconds) +
+  summary.line("memory", in_words(found.bytes, messages::readable_bytes));
+  summary.line("time", in_words(found.seconds, messages::readable_seconds) +
                            fmt::format(", {} thread{}", found.threads, found.threads == 1 ? "" : "s"));
   if (has_file) summary.line("sample", counted(found.num_sampled, "point"));
   print_output(summary.text());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone generate: named point sets, the same bits for the same arguments.
 #include "command.hpp"
+#include "messages/in_quotes.hpp"
 #include "numbers.hpp"
 #include "output.hpp"
 
@@ -45,7 +46,8 @@ int run_generate(const GenerateOptions& options) {
 
 std::size_t count_of(const std::string& text) {
   const std::optional<std::uint64_t> count = parse_count(text);
-  if (!count) throw UsageError(fmt::format("-n wants a whole number of points, not {}", in_quotes(text)));
+  if (!count)
+    throw UsageError(fmt::format("-n wants a whole number of points, not {}", messages::in_quotes(text)));
   if (*count > std::numeric_limits<std::size_t>::max() || *count == beyond_numbers)
     throw Error(Errc::out_of_memory, fmt::format("not enough memory for {} points", printable(text)));
   return static_cast<std::size_t>(*count);

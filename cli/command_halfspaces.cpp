@@ -74,9 +74,11 @@ const char* name_of(IntersectionState state) {
 }
 
 /// In higher dimensions volumes cost more than the intersection.
-bool has_volume(const Polyhedron& found) { return found.is_bounded() && found.dimension() <= 3; }
+bool has_volume(const HalfspaceIntersectionBase& found) {
+  return found.is_bounded() && found.dimension() <= 3;
+}
 
-Json stats(const Polyhedron& found, const Cost& cost, std::uint64_t seed) {
+Json stats(const HalfspaceIntersectionBase& found, const Cost& cost, std::uint64_t seed) {
   const IntersectionData& data = found.data();
   Json json;
   json["command"] = "halfspaces";
@@ -97,12 +99,13 @@ Json stats(const Polyhedron& found, const Cost& cost, std::uint64_t seed) {
   json["duplicates"] = found.count(HalfspaceKind::duplicate);
   json["trivial"] = found.count(HalfspaceKind::trivial);
   json["cells"] = found.num_cells();
-  json["volume"] = number(has_volume(found) ? found.volume() : std::numeric_limits<double>::quiet_NaN());
+  json["volume"] =
+      number(has_volume(found) ? found.volume().value : std::numeric_limits<double>::quiet_NaN());
   add_cost(json, found.statistics(), found.num_cells(), cost, seed);
   return json;
 }
 
-Summary summary(const Polyhedron& found, const Cost& cost, const HalfspacesOptions& options) {
+Summary summary(const HalfspaceIntersectionBase& found, const Cost& cost, const HalfspacesOptions& options) {
   const IntersectionData& data = found.data();
   Summary summary(options.input.path, fmt::format("intersection of {} halfspaces in dimension {}",
                                                   found.num_halfspaces(), found.dimension()));
@@ -125,7 +128,7 @@ Summary summary(const Polyhedron& found, const Cost& cost, const HalfspacesOptio
                              found.count(HalfspaceKind::redundant) + found.count(HalfspaceKind::touching),
                              found.count(HalfspaceKind::touching), found.count(HalfspaceKind::duplicate),
                              found.count(HalfspaceKind::trivial)));
-    if (has_volume(found)) summary.line("volume", fmt::format("{}", found.volume()));
+    if (has_volume(found)) summary.line("volume", fmt::format("{}", found.volume().value));
   }
   return summary.cost(found.statistics(), cost);
 }

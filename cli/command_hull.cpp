@@ -23,7 +23,7 @@ struct HullOptions {
   double tolerance = 0;
 };
 
-Json stats(const Polytope& hull, const Cost& cost, const HullOptions& options) {
+Json stats(const ConvexHullBase& hull, const Cost& cost, const HullOptions& options) {
   Json json = stats_of("hull", counts_of(hull));
   json["boundary_points"] = hull.count(PointKind::boundary);
   json["interior_points"] = hull.count(PointKind::interior);
@@ -40,11 +40,11 @@ Json stats(const Polytope& hull, const Cost& cost, const HullOptions& options) {
   return json;
 }
 
-Statistics statistics_of(const Envelope& hull) {
+Statistics statistics_of(const LowerHullBase& hull) {
   return hull.num_points() == 0 ? Statistics{} : hull.polytope().statistics();
 }
 
-Json stats(const Envelope& hull, const Cost& cost, const HullOptions& options) {
+Json stats(const LowerHullBase& hull, const Cost& cost, const HullOptions& options) {
   Json json;
   json["command"] = "hull";
   json["side"] = hull.side() == HullSide::lower ? "lower" : "upper";
@@ -66,7 +66,7 @@ std::string measure_text(const Measure& measure) {
   return fmt::format("{} (error at most {:.1e})", measure.value, measure.error);
 }
 
-std::string title(const Polytope& hull) {
+std::string title(const ConvexHullBase& hull) {
   const std::string title =
       fmt::format("convex hull of {} in dimension {}", counted(hull.num_points(), "point"), hull.dimension());
   if (hull.tolerance() == 0) return title;
@@ -74,7 +74,7 @@ std::string title(const Polytope& hull) {
                      hull.tolerance());
 }
 
-Summary summary(const Polytope& hull, const Cost& cost, const HullOptions& options) {
+Summary summary(const ConvexHullBase& hull, const Cost& cost, const HullOptions& options) {
   return Summary(options.input.path, title(hull))
       .affine_dimension(hull.affine_dimension(), hull.dimension(), "the hull in its flat")
       .line("vertices", fmt::format("{} extreme points", hull.num_vertices()))
@@ -89,7 +89,7 @@ Summary summary(const Polytope& hull, const Cost& cost, const HullOptions& optio
       .cost(hull.statistics(), cost);
 }
 
-Summary summary(const Envelope& hull, const Cost& cost, const HullOptions& options) {
+Summary summary(const LowerHullBase& hull, const Cost& cost, const HullOptions& options) {
   return Summary(options.input.path, fmt::format("{} hull of {} in dimension {}",
                                                  hull.side() == HullSide::lower ? "lower" : "upper",
                                                  counted(hull.num_points(), "point"), hull.dimension()))
@@ -117,7 +117,7 @@ int finish(const Hull& hull, const HullOptions& options, Cost cost, Clock::time_
 
 /// What to say of compositions of which every row has about the same sum, as fractions have that were
 /// rounded: they are not flat, and so too many points are extreme. Empty where there is nothing to say.
-std::string note_on_sums(const PointTable& table, const Envelope& hull) {
+std::string note_on_sums(const PointTable& table, const LowerHullBase& hull) {
   const auto d = static_cast<std::size_t>(table.dimension), c = d - 1;
   if (c < 2 || table.coordinates.empty() || hull.composition_dimension() < static_cast<int>(c)) return {};
   constexpr double rounding = 5e-3;  // fractions may have three decimals only

@@ -94,23 +94,14 @@ std::vector<double> evaluate(const Triangulation& t, const PointTable& field, co
   const auto columns = static_cast<std::size_t>(field.num_values), q = queries.num_points();
   const std::vector<double> fill(columns, options.fill.value_or(std::numeric_limits<double>::quiet_NaN()));
   std::vector<double> result(q * columns, fill.empty() ? 0 : fill[0]);
-  const auto progress = [show = bar.callback()](std::size_t all) {
-    return [show, all](std::size_t done) {
-      return show(all == 0 ? 1 : static_cast<double>(done) / static_cast<double>(all));
-    };
-  };
-  EvaluateOptions how;
-  how.outside = outside_of(options);
-  how.fill = fill;
-  how.tolerance = options.tolerance.value_or(0);
-  how.progress = progress(q);
-  how.threads = options.build.threads;
+  const EvaluateOptions wanted{
+      .outside = outside_of(options), .fill = fill, .tolerance = options.tolerance.value_or(0)};
+  const Execution how{.threads = options.build.threads, .progress = bar.callback()};
   if (options.method == "linear") {
-    LinearInterpolator(t, field.values, columns).evaluate(queries.coordinates, result, how);
+    LinearInterpolator(t, field.values, columns).evaluate(queries.coordinates, result, wanted, how);
   } else if (options.method == "natural") {
-    NaturalNeighborInterpolator(t, field.values, columns, options.smooth, {},
-                                progress(static_cast<std::size_t>(t.num_vertices())))
-        .evaluate(queries.coordinates, result, how);
+    NaturalNeighborInterpolator(t, field.values, columns, options.smooth, {}, how)
+        .evaluate(queries.coordinates, result, wanted, how);
   } else {
     PointLocator(t).nearest(
         queries.coordinates,
@@ -120,7 +111,7 @@ std::vector<double> evaluate(const Triangulation& t, const PointTable& field, co
           const auto from = field.values.begin() + static_cast<std::ptrdiff_t>(t.row_of(v) * columns);
           std::copy_n(from, columns, result.begin() + static_cast<std::ptrdiff_t>(query * columns));
         },
-        how.threads);
+        how);
   }
   return result;
 }
@@ -129,14 +120,13 @@ std::vector<double> evaluate(const Triangulation& t, const PointTable& field, co
 std::size_t num_outside(const Triangulation& t, const PointTable& queries,
                         const InterpolateOptions& options) {
   std::vector<char> is_outside(queries.num_points());
-  LocateOptions how;
-  how.tolerance = options.tolerance.value_or(0);
-  how.coordinates = false;
-  how.threads = options.build.threads;
-  PointLocator(t).locate(queries.coordinates, how, [&](std::size_t query, const LocatedPoint& where) {
+  const auto note = [&](std::size_t query, const LocatedPoint& where) {
     is_outside[query] =
         where.kind == Location::Kind::outside_hull || where.kind == Location::Kind::outside_affine_hull;
-  });
+  };
+  PointLocator(t).locate(queries.coordinates,
+                         {.tolerance = options.tolerance.value_or(0), .coordinates = false}, note,
+                         {.threads = options.build.threads});
   return static_cast<std::size_t>(std::count(is_outside.begin(), is_outside.end(), 1));
 }
 

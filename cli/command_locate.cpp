@@ -48,7 +48,8 @@ LocatedPoints locate_all(const PointTable& points, const PointTable& queries, co
   const Delaunay<> t = about(input_name(options.input.path),
                              [&] { return Delaunay<>(points.coordinates, points.dimension, build_options); });
   const ProgressScope scope([](double) { return caught_signal() == 0; });
-  return PointLocator(t).locate(queries.coordinates, {.threads = options.threads}, CellNumbers(t.complex()));
+  return PointLocator(t).locate(queries.coordinates, {}, CellNumbers(t.complex()),
+                                {.threads = options.threads});
 }
 
 /// The rows of a face.

@@ -20,7 +20,7 @@ struct PolyhedronOptions {
   BuildOptions build;
 };
 
-Json stats(const ExactPolyhedron& found, const Cost& cost) {
+Json stats(const Polyhedron& found, const Cost& cost) {
   Json json;
   json["command"] = "polyhedron";
   json["dimension"] = found.dimension();
@@ -38,7 +38,7 @@ Json stats(const ExactPolyhedron& found, const Cost& cost) {
   return json;
 }
 
-Summary summary(const ExactPolyhedron& found, const Cost& cost, const PolyhedronOptions& options) {
+Summary summary(const Polyhedron& found, const Cost& cost, const PolyhedronOptions& options) {
   Summary summary(options.path, fmt::format("polyhedron in dimension {}", found.dimension()));
   if (found.is_empty())
     summary.line("empty", "no point satisfies all conditions");
@@ -67,11 +67,11 @@ int run_polyhedron(const PolyhedronOptions& options) {
   if (writes)
     check_output(build.output, build.output_format,
                  [](const std::string& nowhere, const std::string& format) {
-                   write_polyhedron(nowhere, ExactPolyhedron(), format);
+                   write_polyhedron(nowhere, Polyhedron(), format);
                  });
   ProgressBar bar(build.quiet);
   const auto build_start = Clock::now();
-  const ExactPolyhedron found = [&] {
+  const Polyhedron found = [&] {
     const StageGuard guard(Stage::building);
     const Options how = build.to_options(bar);
     return about(name, [&] { return to_polyhedron(rows, how); });

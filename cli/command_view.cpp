@@ -4,6 +4,7 @@
 #include "command.hpp"
 #include "interrupt.hpp"
 #include "memory_limit.hpp"
+#include "messages/in_quotes.hpp"
 #include "output.hpp"
 #include "progress_bar.hpp"
 
@@ -64,15 +65,16 @@ std::string page_of(const VoronoiData& data, HtmlOptions html, const ViewOptions
   html.column_names = data.column_names;
   ProgressBar bar(options.build.quiet);
   const StageGuard guard(Stage::building);
-  const DiagramOptions how{.tolerance = data.tolerance, .threads = options.build.threads};
+  const DiagramOptions wanted{.tolerance = data.tolerance};
+  const Execution how{.threads = options.build.threads};
   const Options build = options.build.to_options(bar);
   if (data.kind == DataKind::furthest_voronoi)
-    return to_html(FurthestVoronoi(FurthestSite<>(data.points, data.dimension, build), how), html,
+    return to_html(FurthestVoronoi(FurthestSite<>(data.points, data.dimension, build), wanted, how), html,
                    box_of(options, data.dimension));
   if (data.weights.empty())
-    return to_html(Voronoi(Delaunay<>(data.points, data.dimension, build), how), html,
+    return to_html(Voronoi(Delaunay<>(data.points, data.dimension, build), wanted, how), html,
                    box_of(options, data.dimension));
-  return to_html(PowerDiagram(Regular<>(data.points, data.weights, data.dimension, build), how), html,
+  return to_html(PowerDiagram(Regular<>(data.points, data.weights, data.dimension, build), wanted, how), html,
                  box_of(options, data.dimension));
 }
 
@@ -85,7 +87,7 @@ std::string page_of(const PointTable& points, const HtmlOptions& html, const Vie
   Delaunay<> triangulation(points.coordinates, points.dimension, build);
   triangulation.sort_cells();
   if (options.product == "voronoi")
-    return to_html(Voronoi(triangulation, {.threads = options.build.threads}), html,
+    return to_html(Voronoi(triangulation, {}, {.threads = options.build.threads}), html,
                    box_of(options, points.dimension));
   return to_html(triangulation.to_data(), html);
 }
@@ -109,7 +111,7 @@ int run_view(const ViewOptions& options) {
   if (values_are_file) html.values = read_values(options);
   if (!options.values.empty()) html.value_name = std::filesystem::path(options.values).stem().string();
   if (data && !options.values.empty() && !values_are_file)
-    throw UsageError(fmt::format("--values {}: there is no such file", in_quotes(options.values)));
+    throw UsageError(fmt::format("--values {}: there is no such file", messages::in_quotes(options.values)));
   std::string page;
   if (data) {
     page = about(name, [&] {

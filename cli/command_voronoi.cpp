@@ -120,21 +120,23 @@ Summary summary(const Triangulation& t, const Diagram& diagram, const Cost& cost
 /// One line per region: the row of its point, and its volume.
 std::string volumes_text(const Diagram& diagram, const std::optional<Box>& box, unsigned threads) {
   const std::vector<double> volumes =
-      box ? diagram.region_volumes(*box, threads) : diagram.region_volumes(threads);
+      box ? diagram.region_volumes(*box, {.threads = threads}) : diagram.region_volumes({.threads = threads});
   std::string text = "point,volume\n";
   for (std::size_t r = 0; r < volumes.size(); ++r)
     text += fmt::format("{},{}\n", diagram.region_points()[r], volumes[r]);
   return text;
 }
 
-Voronoi<> diagram_of(const Delaunay<>& triangulation, const DiagramOptions& options) {
-  return Voronoi(triangulation, options);
+Voronoi<> diagram_of(const Delaunay<>& triangulation, const DiagramOptions& options, const Execution& how) {
+  return Voronoi(triangulation, options, how);
 }
-PowerDiagram<> diagram_of(const Regular<>& triangulation, const DiagramOptions& options) {
-  return PowerDiagram(triangulation, options);
+PowerDiagram<> diagram_of(const Regular<>& triangulation, const DiagramOptions& options,
+                          const Execution& how) {
+  return PowerDiagram(triangulation, options, how);
 }
-FurthestVoronoi<> diagram_of(const FurthestSite<>& triangulation, const DiagramOptions& options) {
-  return FurthestVoronoi(triangulation, options);
+FurthestVoronoi<> diagram_of(const FurthestSite<>& triangulation, const DiagramOptions& options,
+                             const Execution& how) {
+  return FurthestVoronoi(triangulation, options, how);
 }
 
 /// The triangulation by `build`, its diagram, and what was asked for.
@@ -153,7 +155,7 @@ int run_with(Build build, const std::optional<Box>& box, const std::vector<std::
   stage_start = Clock::now();
   triangulation.sort_cells();  // what is written does not depend on the threads
   const auto diagram = about(name, [&] {
-    return diagram_of(triangulation, {.tolerance = options.tolerance, .threads = options.build.threads});
+    return diagram_of(triangulation, {.tolerance = options.tolerance}, {.threads = options.build.threads});
   });
   const std::string volumes = options.volumes.empty() ? "" : about(output_name(options.volumes), [&] {
     return volumes_text(diagram, box, options.build.threads);

@@ -5,6 +5,7 @@
 #include "help.hpp"
 #include "interrupt.hpp"
 #include "memory_limit.hpp"
+#include "messages/in_quotes.hpp"
 #include "numbers.hpp"
 #include "output.hpp"
 #include "system.hpp"
@@ -54,9 +55,10 @@ std::optional<std::string> message_of_conversion(const std::string& message) {
   const auto wrong =
       std::find_if(items.begin(), items.end(), [](const auto& item) { return !parse_real(item); });
   if (wrong == items.end())
-    return fmt::format("{}: {} is not a whole number that is possible here", name, in_quotes(items[0]));
+    return fmt::format("{}: {} is not a whole number that is possible here", name,
+                       messages::in_quotes(items[0]));
   return fmt::format(
-      "{}: {} is not a number{}", name, in_quotes(*wrong),
+      "{}: {} is not a number{}", name, messages::in_quotes(*wrong),
       items.size() == 1 ? "" : fmt::format(" (item {} of {})", wrong - items.begin() + 1, items.size()));
 }
 
@@ -71,13 +73,14 @@ std::optional<std::string> message_of_choice(const std::string& message) {
     const std::string given = message.substr(colon + 2, at - colon - 2),
                       list = message.substr(at + set.size(), message.size() - at - set.size() - 1);
     const std::vector<std::string> words = split_list(list);
-    return fmt::format("{}{} is none of {}{}", name, in_quotes(given), fmt::join(words, ", "),
+    return fmt::format("{}{} is none of {}{}", name, messages::in_quotes(given), fmt::join(words, ", "),
                        suggestion(given, words));
   }
   if (const std::size_t at = message.rfind(range);
       at != std::string::npos && message.compare(colon + 2, value.size(), value) == 0) {
     const std::size_t begin = colon + 2 + value.size();
-    return fmt::format("{}{} is no whole number from {}", name, in_quotes(message.substr(begin, at - begin)),
+    return fmt::format("{}{} is no whole number from {}", name,
+                       messages::in_quotes(message.substr(begin, at - begin)),
                        message.substr(at + range.size()));
   }
   return std::nullopt;
@@ -123,8 +126,9 @@ CLI::App* find_command(const Commands& commands, const std::string& name) {
 }
 
 int complain_of_command(const std::string& name, const Commands& commands) {
-  return complain(exit_status::usage, fmt::format("there is no command {}{} (see 'delone --help')",
-                                                  in_quotes(name), suggestion(name, names_of(commands))));
+  return complain(exit_status::usage,
+                  fmt::format("there is no command {}{} (see 'delone --help')", messages::in_quotes(name),
+                              suggestion(name, names_of(commands))));
 }
 
 /// What is answered without a sub-command's options: help, and what is no sub-command. Nothing for all else.
@@ -163,7 +167,7 @@ std::optional<std::string> message_of_option(const CLI::App& command,
   const std::optional<std::string> unknown = unknown_option(command, arguments);
   if (!unknown) return std::nullopt;
   const std::string given = unknown->starts_with("--") ? *unknown : "-" + *unknown;
-  return fmt::format("there is no option {}{}", in_quotes(*unknown),
+  return fmt::format("there is no option {}{}", messages::in_quotes(*unknown),
                      suggestion(given, option_names(command)));
 }
 

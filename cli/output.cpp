@@ -4,6 +4,7 @@
 
 #include "command.hpp"
 #include "interrupt.hpp"
+#include "messages/in_quotes.hpp"
 #include "system.hpp"
 
 #include <fmt/format.h>
@@ -57,7 +58,7 @@ void require_format(const std::string& path, std::string& format,
   if (std::find(known.begin(), known.end(), format) == known.end())
     throw Error(Errc::unsupported,
                 fmt::format("{}: format {} cannot be used for writing {}; available: {}", output_name(path),
-                            in_quotes(format), what, fmt::join(known, ", ")));
+                            messages::in_quotes(format), what, fmt::join(known, ", ")));
 }
 
 void require_extension(const std::string& path, std::initializer_list<std::string_view> known,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The options that say how to read points, and the formats by name.
 #include "command.hpp"
+#include "messages/in_quotes.hpp"
 #include "numbers.hpp"
 
 #include <fmt/format.h>
@@ -56,7 +57,7 @@ void add_size(CLI::App& command, const std::string& name, std::uint64_t& bytes,
             const std::optional<std::uint64_t> size = parse_size(text);
             if (!size || *size > largest)
               throw CLI::ValidationError(
-                  name, in_quotes(text) +
+                  name, messages::in_quotes(text) +
                             " is no size: a whole number of bytes below 2^63, or with a unit, KB, MB, "
                             "GB, TB (powers of 1000) or KiB, MiB, GiB, TiB (powers of 1024)");
             bytes = *size;
@@ -73,7 +74,7 @@ void add_duration(CLI::App& command, const std::string& name, double& seconds,
           [&seconds, name](const std::string& text) {
             const std::optional<double> duration = parse_duration(text);
             if (!duration)
-              throw CLI::ValidationError(name, in_quotes(text) +
+              throw CLI::ValidationError(name, messages::in_quotes(text) +
                                                    " is no time: a number of seconds above 0, or with a "
                                                    "unit, s, m, h or d");
             seconds = *duration;
@@ -153,10 +154,8 @@ void add_seed(CLI::App& command, std::uint64_t& seed, const std::string& descrip
 }
 
 PointTable PointInput::read(unsigned threads) const {
-  ReadOptions read_options = options;
-  read_options.threads = threads;
   try {
-    return about(input_name(path), [&] { return read_points(path, read_options); });
+    return about(input_name(path), [&] { return read_points(path, options, {.threads = threads}); });
   } catch (const Error& e) {
     std::string message = in_command_words(e.what(), format_option, columns_option);
     const bool has_no_format = e.code() == Errc::unsupported && options.format.empty();

@@ -15,7 +15,7 @@ Counts counts_of(const Triangulation& t, std::string hash) {
           t.num_duplicates(), t.num_finite_cells(), t.num_infinite_cells(), std::move(hash)};
 }
 
-Counts counts_of(const Polytope& hull) {
+Counts counts_of(const ConvexHullBase& hull) {
   return {hull.dimension(),
           hull.affine_dimension(),
           hull.num_points(),

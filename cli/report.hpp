@@ -34,7 +34,7 @@ struct Counts {
   std::string hash;
 };
 Counts counts_of(const Triangulation& triangulation, std::string hash);
-Counts counts_of(const Polytope& hull);
+Counts counts_of(const ConvexHullBase& hull);
 /// The number of rows that are neither vertices nor duplicates of one.
 inline std::size_t num_hidden(const Counts& counts) {
   return counts.points - counts.vertices - counts.duplicates;

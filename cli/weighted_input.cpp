@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "weighted_input.hpp"
 
+#include "messages/in_quotes.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -82,8 +84,8 @@ PointTable WeightedInput::read(std::vector<double>& weights_read, unsigned threa
   } else if (!appended) {
     const auto found = std::find(table.column_names.begin(), table.column_names.end(), weights);
     if (found == table.column_names.end())
-      throw Error(Errc::cannot_open,
-                  fmt::format("{}: --weights {} is neither a column nor a file", name, in_quotes(weights)));
+      throw Error(Errc::cannot_open, fmt::format("{}: --weights {} is neither a column nor a file", name,
+                                                 messages::in_quotes(weights)));
     column = static_cast<std::size_t>(found - table.column_names.begin());
   }
   if (column >= static_cast<std::size_t>(table.dimension))

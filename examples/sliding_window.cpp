@@ -94,9 +94,10 @@ int main(int argc, char** argv) {
 
       // What belongs to cells follows: only that of new ones is computed.
       volumes.resize(window.complex().num_cell_slots());
-      for (const delone::CellId cell : window.changes().killed) volumes[index(cell)] = 0;
-      for (const delone::CellId cell : window.changes().born) volumes[index(cell)] = volume(window, cell);
-      num_new_cells += window.changes().born.size();
+      for (const delone::CellId cell : window.changes().removed_cells) volumes[index(cell)] = 0;
+      for (const delone::CellId cell : window.changes().created_cells)
+        volumes[index(cell)] = volume(window, cell);
+      num_new_cells += window.changes().created_cells.size();
 
       // The nearest other event is a neighbor.
       double nearest = std::numeric_limits<double>::infinity();

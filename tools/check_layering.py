@@ -15,13 +15,15 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 # The public headers that a room may include; its other rooms are listed beside them.
-BASICS = {"types", "error", "config", "prefetch"}
+BASICS = {"types", "error", "config"}
 PUBLIC = "all public headers"
 
 # room (longest matching path decides) -> (public headers, other rooms of the project)
 RULES = {
     "include/delone": (PUBLIC, set()),
-    "src/base": (BASICS | {"progress", "readable"}, set()),
+    # Text for messages, which the command, the Python module and the C interface write, too.
+    "src/messages": (BASICS | {"export", "printable"}, set()),
+    "src/base": (BASICS | {"progress"}, {"src/messages"}),
     "src/kernel": (BASICS | {"predicates"}, {"src/base"}),
     "src/solve": (BASICS, {"src/kernel", "src/base"}),
     "src/order": (BASICS | {"options"}, {"src/base"}),
@@ -41,7 +43,7 @@ RULES = {
     "src/construction": (PUBLIC, {"src/sites", "src/compiled", "src/geometry", "src/order", "src/kernel", "src/base"}),
     "src/triangulation": (PUBLIC, {"src/construction", "src/sites", "src/complex", "src/compiled", "src/order", "src/kernel",
                                    "src/forecast/model", "src/base"}),
-    "src/forecast": (PUBLIC, {"src/forecast/model", "src/complex", "src/engine", "src/base"}),
+    "src/forecast": (PUBLIC, {"src/forecast/model", "src/complex", "src/engine", "src/messages", "src/base"}),
     "src/forecast/model": (BASICS, {"src/engine/wrap", "src/base"}),
     "src/queries": (PUBLIC, {"src/triangulation", "src/solve", "src/order", "src/kernel", "src/base"}),
     "src/hull": (PUBLIC, {"src/complex", "src/compiled", "src/sites", "src/order", "src/kernel", "src/base"}),
@@ -53,19 +55,19 @@ RULES = {
     "src/faces": (PUBLIC, {"src/triangulation", "src/solve", "src/kernel", "src/base"}),
     "src/check": (PUBLIC, {"src/hull", "src/hull/tolerance", "src/halfspaces", "src/compiled", "src/complex", "src/kernel", "src/base"}),
     "src/point_sets": (BASICS | {"point_sets", "progress"}, {"src/base"}),
-    "src/io": (PUBLIC, {"src/base"}),
-    "src/io/points": (PUBLIC, {"src/io", "src/base"}),
-    "src/io/complexes": (PUBLIC, {"src/io", "src/io/points", "src/base"}),
-    "src/io/polyhedra": (PUBLIC, {"src/io", "src/base"}),
+    "src/io": (PUBLIC, {"src/messages", "src/base"}),
+    "src/io/points": (PUBLIC, {"src/io", "src/messages", "src/base"}),
+    "src/io/complexes": (PUBLIC, {"src/io", "src/io/points", "src/messages", "src/base"}),
+    "src/io/polyhedra": (PUBLIC, {"src/io", "src/messages", "src/base"}),
     "src/view": (PUBLIC, {"src/faces", "src/io", "src/io/complexes", "src/base"}),
     "src/tiles": (PUBLIC, {"src/triangulation", "src/solve", "src/complex", "src/io", "src/io/points", "src/io/complexes", "src/order",
-                           "src/kernel", "src/base"}),
+                           "src/kernel", "src/messages", "src/base"}),
     "src/tiles/check": (PUBLIC, {"src/tiles", "src/check", "src/complex", "src/io", "src/kernel", "src/base"}),
     # The public header for MPI includes that of MPI.
     "include/delone/mpi": (PUBLIC, set()),
     "mpi": (PUBLIC, {"src/*", "cli"}),
-    "c": (PUBLIC, set()),
-    "cli": (PUBLIC, set()),
+    "c": (PUBLIC, {"src/messages"}),
+    "cli": (PUBLIC, {"src/messages"}),
     "examples": (PUBLIC, set()),
     "benchmarks": (PUBLIC, {"tests/support"}),
     # These time what is below the public interface: predicates, orders, the phases of an insertion.

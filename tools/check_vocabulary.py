@@ -36,6 +36,10 @@ RETIRED = [
     (r"\boutside ?= ?[\"']raise[\"']", ["python/**/*.py*", "python/src/*", "docs/*.md"], ["docs/vocabulary.md"],
      'outside="error"'),
     (r"\bwhere\.weights\b", CPP, [], "barycentric"),
+    (r"\bFaceOptions\b|\bEstimateOptions\b", CPP, [], "Execution, ForecastOptions"),
+    (r"\bdelone::(Polytope|Envelope)\b|\bconst (Polytope|Envelope)&", CPP, [], "ConvexHullBase, LowerHullBase"),
+    (r"\bchanges(\(\))?(\.|->)(killed|born|came|gone|hid|reappeared|moved)\b|\.weigh\b",
+     CPP + ["python/**/*.py*"], [], "removed_cells, created_cells, added_vertices, … and reweight"),
 ]
 
 

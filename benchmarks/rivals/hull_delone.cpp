@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone's convex hull, through the interface of its rivals. The time covers the boundary and what the other
 // programs compute with it: merged facets and extreme points. `data_seconds` is the time of everything else
-// in Polytope::data(). Options: --order automatic|as_given|shuffled, --seed S, --points all|extreme. Like the
-// other programs, a hull of the extreme points does not keep the coordinates of the others.
+// in ConvexHullBase::data(). Options: --order automatic|as_given|shuffled, --seed S, --points all|extreme.
+// Like the other programs, a hull of the extreme points does not keep the coordinates of the others.
 #include "rival.hpp"
 
 #include <delone/convex_hull.hpp>

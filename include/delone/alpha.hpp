@@ -4,6 +4,7 @@
 #pragma once
 
 #include <delone/data.hpp>
+#include <delone/execution.hpp>
 #include <delone/export.hpp>
 #include <delone/faces.hpp>
 #include <delone/triangulation.hpp>
@@ -41,12 +42,11 @@ struct DELONE_EXPORT_TYPE FaceValues {
 /// Throws Errc::invalid_argument (j < 0 or j > d), unsupported (a furthest-site triangulation, k > 63),
 /// out_of_memory, too_many, cancelled. Cost: that of the faces of all dimensions from j on, and a solve of i
 /// equations for each of dimension i; integers if certified bounds in binary64 do not decide.
-DELONE_EXPORT FaceValues alpha_values(const Triangulation& triangulation, int j,
-                                      const FaceOptions& options = {});
+DELONE_EXPORT FaceValues alpha_values(const Triangulation& triangulation, int j, const Execution& how = {});
 
 /// The same for all dimensions 0 … k at once, at the cost of dimension 0. Throws as alpha_values().
 DELONE_EXPORT std::vector<FaceValues> alpha_filtration(const Triangulation& triangulation,
-                                                       const FaceOptions& options = {});
+                                                       const Execution& how = {});
 
 /// The alpha complex of a Delaunay or regular triangulation below a radius r: the faces with an alpha value
 /// of at most r². Its union has the shape (the homotopy type) of the union of the balls of radius r about the
@@ -60,11 +60,11 @@ DELONE_EXPORT std::vector<FaceValues> alpha_filtration(const Triangulation& tria
 /// cells.
 class DELONE_EXPORT AlphaComplex {
  public:
-  AlphaComplex(const Triangulation& triangulation, double radius, const FaceOptions& options = {});
+  AlphaComplex(const Triangulation& triangulation, double radius, const Execution& how = {});
   /// The faces with a value of at most `square`, of any sign: weights make some values negative. Throws
   /// Errc::invalid_argument for NaN, otherwise as the constructor.
   static AlphaComplex of_squared_radius(const Triangulation& triangulation, double square,
-                                        const FaceOptions& options = {});
+                                        const Execution& how = {});
   AlphaComplex(AlphaComplex&&) noexcept;
   AlphaComplex& operator=(AlphaComplex&&) noexcept;
   ~AlphaComplex();
@@ -84,7 +84,7 @@ class DELONE_EXPORT AlphaComplex {
 
   /// Its faces of dimension j; none for k < j ≤ d. Throws as alpha_values(). Cost: that of the faces of all
   /// dimensions from j on.
-  Faces faces(int j, const FaceOptions& options = {}) const;
+  Faces faces(int j, const Execution& how = {}) const;
 
   /// The cells as a triangulation, with all points; neighbors are −1 beyond the boundary. column_names are
   /// empty here and in boundary_data().

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <delone/data.hpp>
+#include <delone/execution.hpp>
 #include <delone/export.hpp>
 
 #include <cstddef>
@@ -32,9 +33,6 @@ struct CheckOptions {
   static constexpr int all = std::numeric_limits<int>::max();
   /// The number of the highest level to examine; `all` and every larger number than the last mean the last.
   int up_to = all;
-  /// The most threads to use; 0: one per core of this process if the data are large enough to gain by it. The
-  /// report does not depend on it.
-  unsigned threads = 1;
 
   // The following are for triangulations; for other data they must have their defaults.
 
@@ -64,7 +62,7 @@ struct CheckReport {
 
 /// Examines data level after level and stops at the first violation. A violation is a result, not an error.
 /// Data of a known kind (DataKind) are examined as what they say they are. Throws Errc::invalid_argument
-/// (up_to < 1, or options of triangulations for other data), too_many, out_of_memory.
+/// (up_to < 1, or options of triangulations for other data), too_many, out_of_memory, cancelled.
 ///
 /// Triangulations. Unknown neighbors are derived from the cells first. Levels 1–5 together prove the
 /// empty-sphere property of every cell against every vertex. Cost O(m·k³), and more if exact arithmetic is
@@ -94,7 +92,8 @@ struct CheckReport {
 ///   2 closed           each of their facets is in as many of them with one orientation as with the other
 ///
 /// The cells of a convex hull are examined as a hull.
-DELONE_EXPORT CheckReport check(const ComplexData& data, const CheckOptions& options = {});
+DELONE_EXPORT CheckReport check(const ComplexData& data, const CheckOptions& options = {},
+                                const Execution& how = {});
 
 /// Convex hulls. Levels 1–4 prove that the cells are the boundary of the convex hull of all points. Needs
 /// points and cells; unknown neighbors, facets and kinds are not examined. Cost O(n·m·k).
@@ -105,7 +104,8 @@ DELONE_EXPORT CheckReport check(const ComplexData& data, const CheckOptions& opt
 ///                      the boundary once
 ///   5 completeness     facets, extreme rows and kinds of points are those of the polytope; the affine
 ///                      dimension is right
-DELONE_EXPORT CheckReport check(const HullData& data, const CheckOptions& options = {});
+DELONE_EXPORT CheckReport check(const HullData& data, const CheckOptions& options = {},
+                                const Execution& how = {});
 
 /// Intersections of halfspaces, in integers and independently of the construction; `lineality` and the dual
 /// arrays, which are rounded, are not examined. The graph of a polyhedron is connected, so level 3 proves
@@ -117,7 +117,8 @@ DELONE_EXPORT CheckReport check(const HullData& data, const CheckOptions& option
 ///                      are that point, rounded; the same for directions; all exactly
 ///   3 completeness     every edge at every vertex is listed and leads to a listed vertex or direction; facets
 ///                      and kinds are right: so nothing is missing
-DELONE_EXPORT CheckReport check(const IntersectionData& data, const CheckOptions& options = {});
+DELONE_EXPORT CheckReport check(const IntersectionData& data, const CheckOptions& options = {},
+                                const Execution& how = {});
 
 /// Voronoi, power and furthest-site Voronoi diagrams. The numbering of vertices and regions, the order of
 /// ridges and rays and the first entry of cyclic lists are free; for k < d so is the direction of cyclic
@@ -132,6 +133,7 @@ DELONE_EXPORT CheckReport check(const IntersectionData& data, const CheckOptions
 ///   3 vertices         each coordinate is the double nearest to that of the exact centre
 ///   4 ridges           the pairs of regions with a common facet, its vertices, in their order for k = 3
 ///   5 rays             the unbounded edges and their sites; directions up to 2⁻³⁰
-DELONE_EXPORT CheckReport check(const VoronoiData& data, const CheckOptions& options = {});
+DELONE_EXPORT CheckReport check(const VoronoiData& data, const CheckOptions& options = {},
+                                const Execution& how = {});
 
 }  // namespace delone

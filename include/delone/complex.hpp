@@ -3,8 +3,8 @@
 #pragma once
 
 #include <delone/error.hpp>
+#include <delone/execution.hpp>
 #include <delone/export.hpp>
-#include <delone/prefetch.hpp>
 #include <delone/types.hpp>
 
 #include <compare>
@@ -186,7 +186,7 @@ class DELONE_EXPORT Complex {
     return {neighbor_ids(c), dimension_ + 1, false};
   }
   /// Asks the processor to load the vertices and neighbors of a cell into its caches. No effect on results.
-  void prefetch(CellId c) const { internal::prefetch(row(c)); }
+  void prefetch(CellId c) const;
   /// The index, in neighbor i of c, of the vertex opposite the shared facet. O(k). REQUIRES as neighbor().
   int mirror_index(CellId c, int i) const {
     // Two cells of a simplicial sphere share at most one facet, so the neighbor that is c is found once.
@@ -324,7 +324,7 @@ struct DELONE_EXPORT CanonicalHash {
 };
 
 /// The canonical hash of a plain triangulation. O(n·d + m·k). Throws Errc::invalid_argument if the arrays
-/// disagree or a cell has a row that is not one of the points.
-DELONE_EXPORT CanonicalHash canonical_hash(const ComplexData& data);
+/// disagree or a cell has a row that is not one of the points, and cancelled.
+DELONE_EXPORT CanonicalHash canonical_hash(const ComplexData& data, const Execution& how = {});
 
 }  // namespace delone

@@ -6,6 +6,7 @@
 #include <delone/complex.hpp>
 #include <delone/data.hpp>
 #include <delone/error.hpp>
+#include <delone/execution.hpp>
 #include <delone/export.hpp>
 #include <delone/options.hpp>
 #include <delone/points.hpp>
@@ -18,12 +19,6 @@
 #include <vector>
 
 namespace delone {
-
-/// A length, area or volume: the exact one differs from `value` by at most `error`.
-struct Measure {
-  double value = 0;
-  double error = 0;
-};
 
 /// Where a point lies with respect to a hull, decided exactly.
 struct Containment {
@@ -51,12 +46,12 @@ struct HullInsertResult {
 };
 
 /// A convex polytope as the convex hull of points of R^d: what is true of it in every dimension. Make a
-/// ConvexHull<D>; functions for all dimensions take a `const Polytope&`.
+/// ConvexHull<D>; functions for all dimensions take a `const ConvexHullBase&`.
 ///
 /// `const` members may be called from several threads at once. Members with a query throw Errc::bad_dimension
 /// unless it has d coordinates, and not_finite. Members with a row throw invalid_argument unless row <
 /// num_points(). What is computed on first use throws out_of_memory if there is not enough memory.
-class DELONE_EXPORT Polytope {
+class DELONE_EXPORT ConvexHullBase {
  public:
   int dimension() const;           ///< d
   int affine_dimension() const;    ///< k ≤ d; 0 for one distinct point, −1 for none
@@ -98,7 +93,8 @@ class DELONE_EXPORT Polytope {
 
   /// f_0 … f_(k−1), the number of faces of the polytope of each dimension; the Euler–Poincaré relation
   /// Σ(−1)^j·f_j = 1 − (−1)^k holds. Cost up to O(faces · facets · k), memory for all faces of one dimension.
-  std::vector<std::size_t> f_vector() const;
+  /// Throws Errc::cancelled.
+  std::vector<std::size_t> f_vector(const Execution& how = {}) const;
 
   /// Where the query lies, exactly. Cost: a walk over cells.
   Containment locate(const AnyPoint<>& query) const;
@@ -117,11 +113,11 @@ class DELONE_EXPORT Polytope {
   Statistics statistics() const;
 
  protected:
-  Polytope(int dimension, const Options& options);
-  Polytope(detail::Clone, const Polytope& other);
-  Polytope(Polytope&&) noexcept;
-  Polytope& operator=(Polytope&&) noexcept;
-  ~Polytope();
+  ConvexHullBase(int dimension, const Options& options);
+  ConvexHullBase(detail::Clone, const ConvexHullBase& other);
+  ConvexHullBase(ConvexHullBase&&) noexcept;
+  ConvexHullBase& operator=(ConvexHullBase&&) noexcept;
+  ~ConvexHullBase();
 
   void insert_coordinates(std::span<const double> coordinates);
   std::vector<SignedIndex> insert_extreme_coordinates(std::span<const double> coordinates);
@@ -170,7 +166,7 @@ class DELONE_EXPORT Polytope {
 /// Exact for all finite doubles. Flat input has the hull in its flat, k < d: for k = 1 two end points, each a
 /// facet; for k = 0 a single point, without facets. Duplicates are merged. Worst case O(n^⌊d/2⌋) cells.
 template <int D = dynamic>
-class ConvexHull : public Polytope {
+class ConvexHull : public ConvexHullBase {
   static_assert(D >= 1 || D == dynamic, "the dimension of the space is at least 1");
 
  public:
@@ -180,19 +176,19 @@ class ConvexHull : public Polytope {
   /// The hull of no points. Throws Errc::bad_dimension unless dimension ≥ 1, and invalid_argument for a
   /// tolerance or time limit that is negative or not finite.
   explicit ConvexHull(int dimension, const Options& options = {}) requires(D == dynamic)
-      : Polytope(dimension, options) {}
-  explicit ConvexHull(const Options& options = {}) requires(D != dynamic) : Polytope(D, options) {}
+      : ConvexHullBase(dimension, options) {}
+  explicit ConvexHull(const Options& options = {}) requires(D != dynamic) : ConvexHullBase(D, options) {}
   /// The hull of points. Throws as insert_range().
   ConvexHull(AnyPoints<> points, int dimension, const Options& options = {}) requires(D == dynamic)
-      : Polytope(dimension, options) {
+      : ConvexHullBase(dimension, options) {
     insert_range(std::move(points));
   }
   explicit ConvexHull(PointsView points, const Options& options = {}) requires(D == dynamic)
-      : Polytope(points.dimension(), options) {
+      : ConvexHullBase(points.dimension(), options) {
     insert_range(points);
   }
   explicit ConvexHull(AnyPoints<D> points, const Options& options = {}) requires(D != dynamic)
-      : Polytope(D, options) {
+      : ConvexHullBase(D, options) {
     insert_range(std::move(points));
   }
   ConvexHull(ConvexHull&&) noexcept = default;
@@ -223,18 +219,18 @@ class ConvexHull : public Polytope {
   HullInsertResult insert(const AnyPoint<D>& point) { return insert_point(point); }
 
   /// The coordinates of a row. Throws Errc::invalid_argument unless row < num_points().
-  Coordinates point(std::size_t row) const { return Coordinates(Polytope::point(row)); }
-  Containment locate(const AnyPoint<D>& query) const { return Polytope::locate(query.coordinates()); }
-  bool contains(const AnyPoint<D>& query) const { return Polytope::contains(query.coordinates()); }
+  Coordinates point(std::size_t row) const { return Coordinates(ConvexHullBase::point(row)); }
+  Containment locate(const AnyPoint<D>& query) const { return ConvexHullBase::locate(query.coordinates()); }
+  bool contains(const AnyPoint<D>& query) const { return ConvexHullBase::contains(query.coordinates()); }
   std::vector<SignedIndex> visible_cells(const AnyPoint<D>& query) const {
-    return Polytope::visible_cells(query.coordinates());
+    return ConvexHullBase::visible_cells(query.coordinates());
   }
   std::vector<SignedIndex> visible_facets(const AnyPoint<D>& query) const {
-    return Polytope::visible_facets(query.coordinates());
+    return ConvexHullBase::visible_facets(query.coordinates());
   }
 
  private:
-  ConvexHull(detail::Clone clone, const ConvexHull& other) : Polytope(clone, other) {}
+  ConvexHull(detail::Clone clone, const ConvexHull& other) : ConvexHullBase(clone, other) {}
 };
 
 ConvexHull(int, const Options& = {})->ConvexHull<dynamic>;

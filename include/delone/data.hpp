@@ -118,7 +118,7 @@ struct DELONE_EXPORT_TYPE HullData {
   std::vector<SignedIndex> vertex_of_point;  ///< n, the first row that is equal to each row
   std::vector<PointKind> point_kinds;        ///< n
   std::vector<int> axes;    ///< k coordinates on which the flat projects one-to-one, increasing
-  double tolerance = 0;     ///< 0: the hull is exact, otherwise see Polytope::tolerance()
+  double tolerance = 0;     ///< 0: the hull is exact, otherwise see ConvexHullBase::tolerance()
   double max_distance = 0;  ///< no point is farther outside of the hull than this
   std::vector<std::string> column_names{};  ///< d, what the coordinates are called; empty: unknown
 

@@ -12,6 +12,7 @@
 #include <delone/data.hpp>
 #include <delone/delaunay.hpp>
 #include <delone/error.hpp>
+#include <delone/execution.hpp>
 #include <delone/faces.hpp>
 #include <delone/forecast.hpp>
 #include <delone/furthest_site.hpp>
@@ -32,7 +33,6 @@
 #include <delone/printable.hpp>
 #include <delone/progress.hpp>
 #include <delone/rational.hpp>
-#include <delone/readable.hpp>
 #include <delone/regular.hpp>
 #include <delone/triangulation.hpp>
 #include <delone/trim.hpp>

@@ -15,7 +15,7 @@ namespace delone {
 /// must not appear in any other list. Lists that are not named are empty. C++ requires designated
 /// initializers in the order of declaration.
 ///
-///   t.edit({.remove = gone, .move = rows, .to = points});
+///   t.edit({.remove = old_rows, .move = rows, .to = points});
 ///
 /// An edit without any row or point does nothing: changes() and what undo() takes back stay as they are. An
 /// edit without effect, such as a move of a row to where it is, counts: its changes() are empty, and undo()
@@ -25,7 +25,7 @@ struct Edit {
   std::span<const std::size_t> remove = {};     ///< rows to remove
   std::span<const std::size_t> move = {};       ///< rows to move …
   AnyPoints<D> to = PointsView();               ///< … to these points, one per row
-  std::span<const std::size_t> weigh = {};      ///< rows to reweight …
+  std::span<const std::size_t> reweight = {};   ///< rows to reweight …
   std::span<const double> weights = {};         ///< … with these, one per row; regular triangulations only
   AnyPoints<D> insert = PointsView();           ///< points to insert as the next rows
   std::span<const double> insert_weights = {};  ///< one per inserted point; regular triangulations only
@@ -33,15 +33,14 @@ struct Edit {
 
 /// What the last insertion, edit or undo of a triangulation did to it. Every list is in ascending order.
 struct Changes {
-  /// Destroyed and created cells. A created cell may have the id of a destroyed one, which is then in both
-  /// lists. A cell in neither list has the same id and vertices as before; its vertices may have moved, and
-  /// its neighbors may be new.
-  std::vector<CellId> killed, born;
-  std::vector<VertexId> came;        ///< added vertices, visible or hidden
-  std::vector<VertexId> gone;        ///< removed vertices, without any row left: their ids are not reused
-  std::vector<VertexId> hid;         ///< vertices that became hidden: they have rows, but no cells any more
-  std::vector<VertexId> reappeared;  ///< vertices that were hidden and have cells now
-  std::vector<VertexId> moved;       ///< vertices with other coordinates or another weight
+  /// A created cell may have the id of a removed one, which is then in both lists. A cell in neither list has
+  /// the same id and vertices as before; its vertices may have moved, and its neighbors may be new.
+  std::vector<CellId> removed_cells, created_cells;
+  std::vector<VertexId> added_vertices;       ///< visible or hidden
+  std::vector<VertexId> removed_vertices;     ///< no row is left; their ids are not reused
+  std::vector<VertexId> hidden_vertices;      ///< were visible: they have rows, but no cells any more
+  std::vector<VertexId> reappeared_vertices;  ///< were hidden, and have cells now
+  std::vector<VertexId> moved_vertices;       ///< have other coordinates or another weight
 };
 
 /// The new ids and row numbers after compact_ids().

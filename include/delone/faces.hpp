@@ -2,12 +2,12 @@
 // The faces of one dimension of a triangulation, as arrays.
 #pragma once
 
+#include <delone/execution.hpp>
 #include <delone/export.hpp>
 #include <delone/triangulation.hpp>
 #include <delone/types.hpp>
 
 #include <cstddef>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -29,19 +29,10 @@ struct DELONE_EXPORT_TYPE Faces {
   }
 };
 
-/// Options of enumerations of faces.
-struct FaceOptions {
-  /// The most threads to use; 0: one per core of this process if the work is large enough to gain by it. The
-  /// arrays do not depend on it.
-  unsigned threads = 1;
-  /// As in Options; the fraction is always 0.
-  std::function<bool(double)> progress = {};
-};
-
 /// All finite faces of dimension j. j = 0: the vertices; j = k: the finite cells; none for k < j ≤ d, which
 /// needs flat points. Throws Errc::invalid_argument (j < 0 or j > d), unsupported (k > 63), too_many,
 /// out_of_memory, cancelled. Cost: O(m·k) for facets of m cells, j = k−1; otherwise that of finding the faces
 /// of all dimensions from j on, O(Σ_i n_i·i²) if there are n_i of dimension i.
-DELONE_EXPORT Faces faces(const Triangulation& triangulation, int j, const FaceOptions& options = {});
+DELONE_EXPORT Faces faces(const Triangulation& triangulation, int j, const Execution& how = {});
 
 }  // namespace delone

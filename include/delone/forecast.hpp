@@ -4,7 +4,6 @@
 
 #include <delone/export.hpp>
 #include <delone/points.hpp>
-#include <delone/readable.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -33,6 +32,15 @@ struct Forecast {
   ForecastQuantity seconds;     ///< wall-clock time on this machine if it is otherwise idle
 };
 
+/// Which construction is forecast, and how.
+struct ForecastOptions {
+  unsigned threads = 1;  ///< those of the construction, as in Options; one thread builds the samples
+  /// About the most seconds spent on samples once they have 20 000 cells; less if that exceeds a twentieth of
+  /// the construction. Must be finite and > 0.
+  double sample_seconds = 1;
+  std::function<bool(double)> progress = {};  ///< as Execution::progress, of the forecast itself
+};
+
 /// A forecast for n points of a kind (point_set_kinds()), without any points.
 ///
 /// Uniform points have a closed form: the Poisson–Delaunay constant (Miles 1974, Møller 1994), which is their
@@ -41,19 +49,12 @@ struct Forecast {
 /// Lattices have cells by their volume, and the moment curve by Gale's evenness condition. What else is
 /// unknown follows from samples that are generated and triangulated, as estimate() does it. Within a factor
 /// of 1.5 of the truth in up to 8 dimensions; beyond 8 every kind is forecast as uniform points are, and
-/// roughly. `threads` as in Options.
+/// roughly.
 ///
-/// Throws Errc::bad_dimension unless dimension ≥ 1, invalid_argument for an unknown kind, and out_of_memory.
+/// Throws Errc::bad_dimension unless dimension ≥ 1, invalid_argument for an unknown kind and for
+/// sample_seconds, cancelled, and out_of_memory.
 DELONE_EXPORT Forecast forecast(int dimension, std::size_t num_points, std::string_view kind = "uniform",
-                                unsigned threads = 1);
-
-struct EstimateOptions {
-  unsigned threads = 1;  ///< of the construction, as in Options; one thread builds the samples
-  /// About the most seconds spent on samples once they have 20 000 cells; less if that exceeds a twentieth of
-  /// the construction. Must be finite and > 0.
-  double sample_seconds = 1;
-  std::function<bool(double)> progress = {};  ///< as in Options
-};
+                                const ForecastOptions& options = {});
 
 /// A forecast for given points, from triangulations of samples: random subsets of growing size, chosen by a
 /// hash of the coordinates. Their size depends on time, all else on the set of points alone. Beyond the
@@ -65,6 +66,6 @@ struct EstimateOptions {
 /// points, up to 15 times. Throws Errc::not_finite, bad_dimension, cancelled, out_of_memory, and
 /// invalid_argument for sample_seconds.
 DELONE_EXPORT Forecast estimate(const AnyPoints<>& points, int dimension,
-                                const EstimateOptions& options = {});
+                                const ForecastOptions& options = {});
 
 }  // namespace delone

@@ -18,11 +18,11 @@
 namespace delone {
 
 /// A polyhedron, the intersection of halfspaces n·x + c ≤ 0 of R^d: what is true of it in every dimension.
-/// Make a HalfspaceIntersection<D>; functions for all dimensions take a `const Polyhedron&`.
+/// Make a HalfspaceIntersection<D>; functions for all dimensions take a `const HalfspaceIntersectionBase&`.
 ///
 /// `const` members may be called from several threads at once. What is computed on first use throws
 /// Errc::out_of_memory if there is not enough memory.
-class DELONE_EXPORT Polyhedron {
+class DELONE_EXPORT HalfspaceIntersectionBase {
  public:
   int dimension() const;  ///< d
   /// k, the rank of the normals; d−k is the dimension of the lineality space. 0 if state() is not full.
@@ -43,27 +43,28 @@ class DELONE_EXPORT Polyhedron {
   /// A copy of data(), with the halfspaces.
   IntersectionData to_data() const;
 
-  /// The d-volume of the convex hull of the rounded vertices; infinity if unbounded, 0 if flat or empty.
-  /// Cost: that of this hull, which from d = 5 on may take far longer than the intersection because rounded
-  /// vertices do not lie in the hyperplanes of their facets.
-  double volume() const;
+  /// The d-volume of the convex hull of the rounded vertices; infinity if unbounded, 0 if flat or empty. The
+  /// error is that of the sum, as for ConvexHullBase::volume(); rounding the vertices has its own. Cost: that
+  /// of this hull, which from d = 5 on may take far longer than the intersection because rounded vertices do
+  /// not lie in the hyperplanes of their facets.
+  Measure volume() const;
   /// Volume and surface area of the convex hull of the rounded dual points (and of the origin, if unbounded).
   /// NaN for k < d.
-  double dual_volume() const;
-  double dual_area() const;
+  Measure dual_volume() const;
+  Measure dual_area() const;
 
   /// The number of simplices of the dual boundary, those at infinity included. O(1).
   std::size_t num_cells() const;
   Statistics statistics() const;
 
  protected:
-  Polyhedron(const AnyPoints<>& halfspaces, int dimension, const Options& options);
-  Polyhedron(const AnyPoints<>& halfspaces, int dimension, std::span<const double> interior_point,
-             const Options& options);
-  Polyhedron(detail::Clone, const Polyhedron& other);
-  Polyhedron(Polyhedron&&) noexcept;
-  Polyhedron& operator=(Polyhedron&&) noexcept;
-  ~Polyhedron();
+  HalfspaceIntersectionBase(const AnyPoints<>& halfspaces, int dimension, const Options& options);
+  HalfspaceIntersectionBase(const AnyPoints<>& halfspaces, int dimension,
+                            std::span<const double> interior_point, const Options& options);
+  HalfspaceIntersectionBase(detail::Clone, const HalfspaceIntersectionBase& other);
+  HalfspaceIntersectionBase(HalfspaceIntersectionBase&&) noexcept;
+  HalfspaceIntersectionBase& operator=(HalfspaceIntersectionBase&&) noexcept;
+  ~HalfspaceIntersectionBase();
 
   void insert_rows(const AnyPoints<>& halfspaces);
 
@@ -91,7 +92,7 @@ class DELONE_EXPORT Polyhedron {
 ///
 /// Cost: that of the convex hull of m+1 points, one solve per vertex, a walk per redundant row.
 template <int D = dynamic>
-class HalfspaceIntersection : public Polyhedron {
+class HalfspaceIntersection : public HalfspaceIntersectionBase {
   static_assert(D >= 1 || D == dynamic, "the dimension of the space is at least 1");
 
  public:
@@ -103,19 +104,19 @@ class HalfspaceIntersection : public Polyhedron {
   /// and invalid_argument for a tolerance.
   HalfspaceIntersection(const AnyPoints<>& halfspaces, int dimension,
                         const Options& options = {}) requires(D == dynamic)
-      : Polyhedron(halfspaces, dimension, options) {}
+      : HalfspaceIntersectionBase(halfspaces, dimension, options) {}
   explicit HalfspaceIntersection(const AnyPoints<row_size>& halfspaces,
                                  const Options& options = {}) requires(D != dynamic)
-      : Polyhedron(rows(halfspaces), D, options) {}
+      : HalfspaceIntersectionBase(rows(halfspaces), D, options) {}
   /// Takes an interior point of d numbers. Throws Errc::invalid_argument if it is not strictly inside all
   /// halfspaces (a trivial row requires nothing), and rows() names those that it violates; otherwise as
   /// above.
   HalfspaceIntersection(const AnyPoints<>& halfspaces, int dimension, const AnyPoint<>& interior_point,
                         const Options& options = {}) requires(D == dynamic)
-      : Polyhedron(halfspaces, dimension, interior_point, options) {}
+      : HalfspaceIntersectionBase(halfspaces, dimension, interior_point, options) {}
   HalfspaceIntersection(const AnyPoints<row_size>& halfspaces, const AnyPoint<D>& interior_point,
                         const Options& options = {}) requires(D != dynamic)
-      : Polyhedron(rows(halfspaces), D, interior_point, options) {}
+      : HalfspaceIntersectionBase(rows(halfspaces), D, interior_point, options) {}
   HalfspaceIntersection(HalfspaceIntersection&&) noexcept = default;
   HalfspaceIntersection& operator=(HalfspaceIntersection&&) noexcept = default;
 
@@ -130,7 +131,8 @@ class HalfspaceIntersection : public Polyhedron {
   void insert(const AnyPoint<row_size>& halfspace) { insert_rows(halfspace.coordinates()); }
 
  private:
-  HalfspaceIntersection(detail::Clone clone, const HalfspaceIntersection& other) : Polyhedron(clone, other) {}
+  HalfspaceIntersection(detail::Clone clone, const HalfspaceIntersection& other)
+      : HalfspaceIntersectionBase(clone, other) {}
   static const AnyPoints<>& rows(const AnyPoints<>& halfspaces) requires(D == dynamic) { return halfspaces; }
   static AnyPoints<> rows(const AnyPoints<row_size>& halfspaces) requires(D != dynamic) {
     return halfspaces.coordinates();

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <delone/data.hpp>
+#include <delone/execution.hpp>
 #include <delone/export.hpp>
 
 #include <optional>
@@ -39,22 +40,25 @@ struct HtmlOptions {
 /// (QualityMeasure::radius_ratio; flat cells, which files can have, have neither), its hull, and for k = d =
 /// 2, 3 its Voronoi diagram. In more than three dimensions the viewer chooses three coordinates or principal
 /// axes. Throws Errc::invalid_argument if options do not suit the data, if values are infinite, and if the
-/// arrays disagree; not_finite; too_many beyond 2^32 − 2 rows; out_of_memory; cancelled by a ProgressScope.
+/// arrays disagree; not_finite; too_many beyond 2^32 − 2 rows; out_of_memory; cancelled.
 /// Cost: linear, and one sort of the vertices; about 20 bytes of page for each triangle of the plane.
-DELONE_EXPORT std::string to_html(const ComplexData& data, const HtmlOptions& options = {});
+DELONE_EXPORT std::string to_html(const ComplexData& data, const HtmlOptions& options = {},
+                                  const Execution& how = {});
 
 /// A page that shows a convex hull: its facets, and all of its points if there are at most 200 000. Throws as
 /// above, and Errc::invalid_argument for a hull without its points.
-DELONE_EXPORT std::string to_html(const HullData& data, const HtmlOptions& options = {});
+DELONE_EXPORT std::string to_html(const HullData& data, const HtmlOptions& options = {},
+                                  const Execution& how = {});
 
 /// A page that shows an intersection of halfspaces: facets for d = 3, edges otherwise; unbounded ones are cut
 /// off. Throws as above, Errc::invalid_argument for an intersection without interior points, and not_finite
 /// if vertices are beyond the range of doubles.
-DELONE_EXPORT std::string to_html(const IntersectionData& data, const HtmlOptions& options = {});
+DELONE_EXPORT std::string to_html(const IntersectionData& data, const HtmlOptions& options = {},
+                                  const Execution& how = {});
 
 /// A page that shows the regions of a Voronoi or power diagram within a box (by default bounding_box()), with
 /// their volumes in it. Throws as Diagram::for_each_clipped_region(); Errc::unsupported for d > 3.
 DELONE_EXPORT std::string to_html(const Diagram& diagram, const HtmlOptions& options = {},
-                                  const std::optional<Box>& box = {});
+                                  const std::optional<Box>& box = {}, const Execution& how = {});
 
 }  // namespace delone

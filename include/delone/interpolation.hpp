@@ -2,6 +2,7 @@
 // Piecewise linear interpolation of values at scattered points.
 #pragma once
 
+#include <delone/execution.hpp>
 #include <delone/export.hpp>
 #include <delone/point_locator.hpp>
 #include <delone/triangulation.hpp>
@@ -9,7 +10,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -36,12 +36,6 @@ struct EvaluateOptions {
   /// τ of LocateOptions: the value at x is that of the function at the point x' described there, with |x −
   /// x'| ≤ τ; at a vertex it is the given one.
   double tolerance = 0;
-  /// Called from time to time by the calling thread with the number of queries done; return false to cancel
-  /// (Errc::cancelled).
-  std::function<bool(std::size_t)> progress = {};
-  /// The most threads to use; 0: one per core of this process if the batch is large enough to gain by it. The
-  /// result does not depend on it, to the last bit.
-  unsigned threads = 1;
 };
 
 /// The function that is linear in every cell of a triangulation and has given values at its vertices.
@@ -60,19 +54,18 @@ class DELONE_EXPORT LinearInterpolator {
 
   std::size_t columns() const { return columns_; }
 
-  using Progress = std::function<bool(std::size_t)>;
-
   /// The values at q queries (q×d coordinates) as q×columns numbers, none off by more than (k+1)·2⁻³⁵ times
   /// the largest magnitude of a value at the cell, whatever its shape; mostly by a few units of 2⁻⁵³. Throws
   /// as PointLocator::locate(), Errc::bad_dimension unless `result` has that size, cancelled, and
-  /// invalid_argument for Outside::error.
+  /// invalid_argument for Outside::error. The result does not depend on the number of threads, to the last
+  /// bit.
   void evaluate(std::span<const double> queries, std::span<double> result,
-                const EvaluateOptions& options = {}) const;
+                const EvaluateOptions& options = {}, const Execution& how = {}) const;
   /// The gradients at q queries, q×columns×d numbers. Where cells meet it is the gradient of one of them;
   /// with a tolerance, of a thick one that contains x' if there is any. Flat input: tangent to the flat.
   /// Throws as evaluate().
   void gradients(std::span<const double> queries, std::span<double> result,
-                 const EvaluateOptions& options = {}) const;
+                 const EvaluateOptions& options = {}, const Execution& how = {}) const;
 
  private:
   const Triangulation& triangulation_;

@@ -16,6 +16,7 @@
 #pragma once
 
 #include <delone/data.hpp>
+#include <delone/execution.hpp>
 #include <delone/export.hpp>
 
 #include <cstdint>
@@ -28,8 +29,8 @@
 namespace delone {
 
 class Diagram;
-class Polyhedron;
-class Polytope;
+class HalfspaceIntersectionBase;
+class ConvexHullBase;
 class Triangulation;
 
 /// Points as read from a file.
@@ -55,9 +56,6 @@ struct ReadOptions {
   /// of properties. Empty: all columns (of ply: x, y and z) except those of `values`.
   std::vector<std::string> columns;
   std::uint64_t max_stream_bytes = default_max_stream_bytes;
-  /// csv, tsv, txt: the most threads that parse; 0: one per core of this process if the file is large enough
-  /// to gain by it. Points and errors do not depend on it.
-  unsigned threads = 1;
   /// Columns that are not coordinates, chosen in the same way: for PointTable::values.
   std::vector<std::string> values = {};
 };
@@ -73,8 +71,10 @@ struct ReadOptions {
 ///   ply          ascii and binary, the properties x, y, z
 ///   qhull        dimension, count, rows (rbox's output; the rest of the first line is a comment)
 /// Throws Errc::bad_format with "FILE:LINE: …" or "FILE: row N: …"; not_finite with rows(); bad_dimension for
-/// dimension 0; invalid_argument for unknown columns; and as all readers.
-DELONE_EXPORT PointTable read_points(const std::string& path, const ReadOptions& options = {});
+/// dimension 0; invalid_argument for unknown columns; cancelled; and as all readers. Several threads parse
+/// csv, tsv and txt; points and errors do not depend on their number.
+DELONE_EXPORT PointTable read_points(const std::string& path, const ReadOptions& options = {},
+                                     const Execution& how = {});
 
 /// Writes points: npy, csv, tsv, txt, xyz, pts, off, or qhull, the format of standard output. Throws
 /// Errc::not_finite, bad_dimension, invalid_argument, and as all writers.
@@ -170,9 +170,10 @@ DELONE_EXPORT void write(const std::string& path, const Diagram& diagram, const 
 /// more, and for diagrams without ridges; and as all writers.
 DELONE_EXPORT void write_qhull(const std::string& path, const Triangulation& triangulation,
                                const std::string& outputs);
-DELONE_EXPORT void write_qhull(const std::string& path, const Polytope& hull, const std::string& outputs);
+DELONE_EXPORT void write_qhull(const std::string& path, const ConvexHullBase& hull,
+                               const std::string& outputs);
 DELONE_EXPORT void write_qhull(const std::string& path, const Diagram& diagram, const std::string& outputs);
-DELONE_EXPORT void write_qhull(const std::string& path, const Polyhedron& intersection,
+DELONE_EXPORT void write_qhull(const std::string& path, const HalfspaceIntersectionBase& intersection,
                                const std::string& outputs);
 
 /// Writes text; errors as for all writers.

@@ -32,7 +32,7 @@ enum class HullSide { lower, upper };
 ///
 /// `const` members may be called from several threads at once. Members with queries throw Errc::bad_dimension
 /// for a wrong number of coordinates, and not_finite.
-class DELONE_EXPORT Envelope {
+class DELONE_EXPORT LowerHullBase {
  public:
   int dimension() const;              ///< d
   int composition_dimension() const;  ///< c ≤ d−1, the affine dimension of the compositions; −1 for no point
@@ -83,14 +83,14 @@ class DELONE_EXPORT Envelope {
   /// the height (negated for the upper hull), and of one point above them all. If a tolerance has dropped
   /// vertices, its rows are the kept ones, in the order of vertices(). Throws Errc::invalid_argument if there
   /// are no points.
-  const Polytope& polytope() const;
+  const ConvexHullBase& polytope() const;
 
  protected:
-  Envelope(const AnyPoints<>& points, int dimension, HullSide side, const Options& options);
-  Envelope(detail::Clone, const Envelope& other);
-  Envelope(Envelope&&) noexcept;
-  Envelope& operator=(Envelope&&) noexcept;
-  ~Envelope();
+  LowerHullBase(const AnyPoints<>& points, int dimension, HullSide side, const Options& options);
+  LowerHullBase(detail::Clone, const LowerHullBase& other);
+  LowerHullBase(LowerHullBase&&) noexcept;
+  LowerHullBase& operator=(LowerHullBase&&) noexcept;
+  ~LowerHullBase();
 
  private:
   struct DELONE_HIDDEN Impl;
@@ -113,7 +113,7 @@ class DELONE_EXPORT Envelope {
 /// Exact for all finite doubles; a function of the set of points. Duplicates, flat compositions and points
 /// above the hull are ordinary input. Cost: a convex hull of n+1 points.
 template <int D = dynamic>
-class LowerHull : public Envelope {
+class LowerHull : public LowerHullBase {
   static_assert(D >= 2 || D == dynamic, "a point of a lower hull has a composition and a height");
 
  public:
@@ -124,13 +124,13 @@ class LowerHull : public Envelope {
   /// invalid_argument (the tolerance), too_many, out_of_memory, cancelled, time_limit.
   LowerHull(const AnyPoints<>& points, int dimension, HullSide side = HullSide::lower,
             const Options& options = {}) requires(D == dynamic)
-      : Envelope(points, dimension, side, options) {}
+      : LowerHullBase(points, dimension, side, options) {}
   explicit LowerHull(PointsView points, HullSide side = HullSide::lower,
                      const Options& options = {}) requires(D == dynamic)
-      : Envelope(points, points.dimension(), side, options) {}
+      : LowerHullBase(points, points.dimension(), side, options) {}
   explicit LowerHull(const AnyPoints<D>& points, HullSide side = HullSide::lower,
                      const Options& options = {}) requires(D != dynamic)
-      : Envelope(PointsView(points.coordinates(), D), D, side, options) {}
+      : LowerHullBase(PointsView(points.coordinates(), D), D, side, options) {}
   LowerHull(LowerHull&&) noexcept = default;
   LowerHull& operator=(LowerHull&&) noexcept = default;
 
@@ -138,23 +138,23 @@ class LowerHull : public Envelope {
   LowerHull clone() const { return LowerHull(detail::Clone{}, *this); }
 
   std::optional<std::size_t> find_cell(const AnyPoint<composition_size>& composition) const {
-    return Envelope::find_cell(composition.coordinates());
+    return LowerHullBase::find_cell(composition.coordinates());
   }
   std::vector<double> heights(const AnyPoints<composition_size>& compositions) const {
     if constexpr (D == dynamic)
-      return Envelope::heights(compositions);
+      return LowerHullBase::heights(compositions);
     else
-      return Envelope::heights(compositions.coordinates());
+      return LowerHullBase::heights(compositions.coordinates());
   }
   std::vector<double> height_above(const AnyPoints<D>& points, double tolerance = 0) const {
     if constexpr (D == dynamic)
-      return Envelope::height_above(points, tolerance);
+      return LowerHullBase::height_above(points, tolerance);
     else
-      return Envelope::height_above(points.coordinates(), tolerance);
+      return LowerHullBase::height_above(points.coordinates(), tolerance);
   }
 
  private:
-  LowerHull(detail::Clone clone, const LowerHull& other) : Envelope(clone, other) {}
+  LowerHull(detail::Clone clone, const LowerHull& other) : LowerHullBase(clone, other) {}
 };
 
 LowerHull(PointsView, HullSide = HullSide::lower, const Options& = {})->LowerHull<dynamic>;

@@ -2,6 +2,7 @@
 // Measures of the finite cells of a triangulation: circumscribed spheres and quality.
 #pragma once
 
+#include <delone/execution.hpp>
 #include <delone/export.hpp>
 #include <delone/faces.hpp>
 #include <delone/triangulation.hpp>
@@ -15,14 +16,13 @@ namespace delone {
 /// ignored. For k = 0: 0. The relative error is certified to be at most 2⁻⁵² (below the normal numbers: two
 /// of the smallest double), +infinity beyond the range of doubles. Throws Errc::out_of_memory, cancelled.
 /// Cost: O(m·k³) for m cells.
-DELONE_EXPORT std::vector<double> circumradii(const Triangulation& triangulation,
-                                              const FaceOptions& options = {});
+DELONE_EXPORT std::vector<double> circumradii(const Triangulation& triangulation, const Execution& how = {});
 
 /// The centers of these spheres, m×d: each coordinate is the double nearest to the exact one (±infinity
 /// beyond the range of doubles). Cells with a common sphere have equal centers. Cost and errors as for
 /// circumradii().
 DELONE_EXPORT std::vector<double> circumcenters(const Triangulation& triangulation,
-                                                const FaceOptions& options = {});
+                                                const Execution& how = {});
 
 /// How good a cell is. R is the radius of the sphere through its vertices, r that of the inscribed sphere, V
 /// the volume, l the lengths of its edges; all are those of a k-simplex. None depends on the scale.
@@ -44,6 +44,6 @@ enum class QualityMeasure : std::uint8_t {
 /// from integers; a ratio that is itself below the normal numbers may be 0, one beyond the range of doubles
 /// is +infinity. Throws Errc::out_of_memory, cancelled. Cost: O(m·k³) for m cells.
 DELONE_EXPORT std::vector<double> qualities(const Triangulation& triangulation, QualityMeasure measure,
-                                            const FaceOptions& options = {});
+                                            const Execution& how = {});
 
 }  // namespace delone

@@ -2,6 +2,7 @@
 // Natural neighbors of queries, their coordinates, and interpolation with them.
 #pragma once
 
+#include <delone/execution.hpp>
 #include <delone/export.hpp>
 #include <delone/interpolation.hpp>
 #include <delone/point_locator.hpp>
@@ -55,8 +56,8 @@ struct NaturalNeighbors {
 class DELONE_EXPORT NaturalNeighborCoordinates {
  public:
   /// Computes the centers of all finite cells, d doubles each. Throws Errc::unsupported unless the
-  /// triangulation is a Delaunay<D>, and out_of_memory.
-  explicit NaturalNeighborCoordinates(const Triangulation& triangulation);
+  /// triangulation is a Delaunay<D>, out_of_memory, and cancelled.
+  explicit NaturalNeighborCoordinates(const Triangulation& triangulation, const Execution& how = {});
   NaturalNeighborCoordinates(NaturalNeighborCoordinates&&) noexcept;
   NaturalNeighborCoordinates& operator=(NaturalNeighborCoordinates&&) noexcept;
   ~NaturalNeighborCoordinates();
@@ -64,7 +65,8 @@ class DELONE_EXPORT NaturalNeighborCoordinates {
   using Visit = std::function<void(std::size_t query, const NaturalNeighbors& found)>;
   /// Finds the neighbors of q queries (q×d coordinates) and calls `visit` once for each, in no particular
   /// order. What `visit` throws ends the batch and is passed on. Throws as PointLocator::locate().
-  void find(std::span<const double> queries, const Visit& visit, bool with_gradients = false) const;
+  void find(std::span<const double> queries, const Visit& visit, bool with_gradients = false,
+            const Execution& how = {}) const;
   /// The same at the points x' of LocateOptions. Where x' = x the coordinates are those of x, also beside
   /// slivers: at a depth under the border like the height of a sliver there, points at its far ends may be
   /// natural neighbors, and gradients across the border are huge. Elsewhere x' is on the boundary of a cell,
@@ -72,16 +74,16 @@ class DELONE_EXPORT NaturalNeighborCoordinates {
   /// the way from x' to the centroid of the cell, or less to stay within the tolerance up to rounding, so
   /// that slivers across the border have no influence. If rounding leaves the hull nevertheless, as in tilted
   /// flats, the coordinates are the barycentric ones of x' in its cell.
-  void find(std::span<const double> queries, const LocateOptions& how, const Visit& visit,
-            bool with_gradients = false) const;
+  void find(std::span<const double> queries, const LocateOptions& options, const Visit& visit,
+            bool with_gradients = false, const Execution& how = {}) const;
 
   struct DELONE_HIDDEN Impl;
 
  private:
   friend class NaturalNeighborInterpolator;
   /// Each thread that works has its own visitor.
-  void find_by_threads(std::span<const double> queries, const LocateOptions& how,
-                       const std::function<Visit()>& make_visit, bool with_gradients) const;
+  void find_by_threads(std::span<const double> queries, const LocateOptions& options,
+                       const std::function<Visit()>& make_visit, bool with_gradients, unsigned threads) const;
 
   std::unique_ptr<Impl> impl_;
 };
@@ -105,13 +107,11 @@ class DELONE_EXPORT NaturalNeighborCoordinates {
 class DELONE_EXPORT NaturalNeighborInterpolator {
  public:
   /// `values`: as for LinearInterpolator. `site_gradients`: n×columns×d numbers, one row for each input row,
-  /// or none: then gradients are estimated when they are needed, in the constructor if `smooth`. `progress`
-  /// as for evaluate(), with numbers of vertices. Throws Errc::bad_dimension unless there are that many
-  /// numbers, cancelled, and as NaturalNeighborCoordinates.
-  using Progress = LinearInterpolator::Progress;
+  /// or none: then gradients are estimated when they are needed, in the constructor if `smooth`. Throws
+  /// Errc::bad_dimension unless there are that many numbers, cancelled, and as NaturalNeighborCoordinates.
   NaturalNeighborInterpolator(const Triangulation& triangulation, std::span<const double> values,
                               std::size_t columns = 1, bool smooth = false,
-                              std::span<const double> site_gradients = {}, const Progress& progress = {});
+                              std::span<const double> site_gradients = {}, const Execution& how = {});
 
   std::size_t columns() const { return columns_; }
   bool is_smooth() const { return smooth_; }
@@ -121,13 +121,13 @@ class DELONE_EXPORT NaturalNeighborInterpolator {
   /// LinearInterpolator::evaluate(). With a tolerance, or projected, the values are those at the point that
   /// NaturalNeighborCoordinates::find() uses for the query.
   void evaluate(std::span<const double> queries, std::span<double> result,
-                const EvaluateOptions& options = {}) const;
+                const EvaluateOptions& options = {}, const Execution& how = {}) const;
   /// The gradients at q queries, q×columns×d numbers. At a vertex: the given or estimated gradient there,
   /// which is that of the interpolant if it is smooth. On the boundary of the hull only the part along the
   /// smallest face that contains the query is that of the interpolant. Outside as LinearInterpolator. Throws
   /// as evaluate().
   void gradients(std::span<const double> queries, std::span<double> result,
-                 const EvaluateOptions& options = {}) const;
+                 const EvaluateOptions& options = {}, const Execution& how = {}) const;
   /// The given or estimated gradient at a finite vertex, columns×d numbers.
   void site_gradient(VertexId v, std::span<double> result) const;
 

@@ -20,14 +20,11 @@ enum class InsertionOrder {
 struct Options {
   std::uint64_t seed = 0;  ///< seed of the random choices in the insertion order
   InsertionOrder order = InsertionOrder::automatic;
-  /// The most threads that build; 0: one per core of this process (affinity mask, quota of the container) if
-  /// a batch is large enough to gain by it. Points, sets of cells and exported files and arrays do not depend
-  /// on it; ids of cells do.
+  /// The most threads that build, as Execution::threads. Points, sets of cells and exported files and arrays
+  /// do not depend on it; ids of cells do.
   unsigned threads = 1;
   bool force_runtime_dimension = false;  ///< use the run-time-dimension engine even for k ≤ 8
-  /// Called about every 20 ms by the thread that called the library, and by no other, with the fraction done,
-  /// 0…1, which never decreases; return false to cancel (Errc::cancelled). ProgressScope does the same for
-  /// calls without options. The function must not use the object that is being built or changed.
+  /// As Execution::progress. The function must not use the object that is being built or changed.
   std::function<bool(double)> progress = {};
   /// The most memory that the process may use, in bytes; 0: no limit. A construction that comes within 64 MB
   /// or an eighth of it throws Errc::out_of_memory and leaves everything unchanged; the message says how far

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <delone/cell_numbers.hpp>
+#include <delone/execution.hpp>
 #include <delone/export.hpp>
 #include <delone/triangulation.hpp>
 #include <delone/types.hpp>
@@ -17,7 +18,7 @@
 
 namespace delone {
 
-/// How queries are located.
+/// What location means for a query.
 ///
 /// With a tolerance τ > 0, the answer for a query x is that of a point x' with |x − x'| ≤ τ:
 ///   1. If x is a vertex, x' = x.
@@ -45,10 +46,6 @@ struct LocateOptions {
   /// Whether LocatedPoint::barycentric is needed. If not, only the sign of its numbers is meaningful, which
   /// saves exact arithmetic for queries in slivers.
   bool coordinates = true;
-  /// The most threads to use; 0: one per core of this process (affinity mask, quota of the container) if the
-  /// batch is large enough to gain by it. The answers do not depend on it. With other values than 1 several
-  /// threads call the callbacks at once, still once for each query.
-  unsigned threads = 1;
 };
 
 /// Where a query x lies (exactly), and its barycentric coordinates (rounded). With a tolerance, or if x is
@@ -93,7 +90,8 @@ struct DELONE_EXPORT_TYPE LocatedPoints {
 /// members may be called from several threads at once. A batch is visited along a Hilbert curve in stretches,
 /// in which each walk starts where the one before ended; answers come with the number of their query. The
 /// stretches depend on the batch alone, and so does the choice of a cell for queries on a face of several
-/// cells. `threads` of the members below is that of LocateOptions.
+/// cells. Answers do not depend on Execution::threads. With other values than 1 several threads call the
+/// callbacks at once, still once for each query.
 ///
 /// Method: the visibility walk with signs of orientations. For k = d ≤ 6 all signs for one cell come from one
 /// table of minors with a certified bound, and from exact arithmetic if it does not suffice. Cost: for a
@@ -110,20 +108,21 @@ class DELONE_EXPORT PointLocator {
   /// Locates q queries (q×d coordinates) and calls `visit` once for each, in no particular order. An
   /// exception from `visit` ends the batch and is passed on; of several exceptions in several threads it is
   /// the one that a single thread would have met. Throws Errc::bad_dimension, not_finite (rows() names the
-  /// queries), too_many, out_of_memory.
-  void locate(std::span<const double> queries, const Visit& visit) const;
+  /// queries), too_many, out_of_memory, cancelled.
+  void locate(std::span<const double> queries, const Visit& visit, const Execution& how = {}) const;
   /// The same with a tolerance. Also throws Errc::invalid_argument for a tolerance that is negative, NaN,
   /// infinite or larger than the set of points. Keeps a table of thick cells for the last tolerance: a byte
   /// per cell.
-  void locate(std::span<const double> queries, const LocateOptions& options, const Visit& visit) const;
+  void locate(std::span<const double> queries, const LocateOptions& options, const Visit& visit,
+              const Execution& how = {}) const;
 
   /// The same as arrays; `numbers` are those of the cells. If no barycentric coordinates are wanted, none are
   /// computed. Also throws Errc::invalid_argument for arrays of other sizes.
   void locate(std::span<const double> queries, const LocateOptions& options, const CellNumbers& numbers,
-              const LocatedArrays& to) const;
+              const LocatedArrays& to, const Execution& how = {}) const;
   /// The same, with faces instead of coordinates.
   LocatedPoints locate(std::span<const double> queries, const LocateOptions& options,
-                       const CellNumbers& numbers) const;
+                       const CellNumbers& numbers, const Execution& how = {}) const;
 
   /// For each of q queries, calls `visit` for the finite cells within `radius` of it, roughly the nearest
   /// first, until it returns false. All cells within the radius are visited, and maybe some that are farther
@@ -131,7 +130,7 @@ class DELONE_EXPORT PointLocator {
   /// the radius is finite and ≥ 0.
   void cells_within(std::span<const double> queries, double radius,
                     const std::function<bool(std::size_t query, CellId cell)>& visit,
-                    unsigned threads = 1) const;
+                    const Execution& how = {}) const;
 
   /// For each of q queries the vertex of least distance; of a regular triangulation, of least power |x − p|²
   /// − weight: the site whose region of the diagram contains the query. Exact; of several the one with the
@@ -140,7 +139,7 @@ class DELONE_EXPORT PointLocator {
   /// triangulation.
   void nearest(std::span<const double> queries,
                const std::function<void(std::size_t query, VertexId nearest)>& visit,
-               unsigned threads = 1) const;
+               const Execution& how = {}) const;
 
   /// The k nearest vertices of each query, or all if there are fewer, nearest first; of equally near ones
   /// those with smaller first rows first. Exact. By power for a regular triangulation, otherwise as above.
@@ -149,7 +148,7 @@ class DELONE_EXPORT PointLocator {
   /// 0.
   void nearest(std::span<const double> queries, std::size_t k,
                const std::function<void(std::size_t query, std::span<const VertexId> nearest)>& visit,
-               unsigned threads = 1) const;
+               const Execution& how = {}) const;
 
   /// The vertices joined to each vertex by an edge, the infinite vertex excluded, increasing: those of v are
   /// entries offsets[v] … offsets[v+1]−1 of `vertices`; for v < num_vertex_slots(). Made on first use,
@@ -167,7 +166,7 @@ class DELONE_EXPORT PointLocator {
   friend class NaturalNeighborCoordinates;
 
   template <class Each>
-  void each_nearest(std::span<const double> queries, unsigned threads, Each each) const;
+  void each_nearest(std::span<const double> queries, const Execution& how, Each each) const;
 
   std::unique_ptr<Impl> impl_;
 };

@@ -62,28 +62,28 @@ struct DELONE_EXPORT_TYPE RationalBox {
 /// doi:10.1007/3-540-61576-8_77), in integers of 64 bits, of 128, or of any size as they are needed. Signs of
 /// products are certified in binary64 first. Nothing is rounded but what is returned as doubles.
 ///
-/// A ExactPolyhedron does not change, and copies share it; `const` members may be called from several threads
+/// A Polyhedron does not change, and copies share it; `const` members may be called from several threads
 /// at once. What makes one throws Errc::cancelled, too_many, out_of_memory and time_limit; of the options
 /// only progress, memory_limit and time_limit count. Members with rows throw Errc::bad_dimension for rows of
 /// a wrong width.
-class DELONE_EXPORT ExactPolyhedron {
+class DELONE_EXPORT Polyhedron {
  public:
   /// The empty set of R^0.
-  ExactPolyhedron();
+  Polyhedron();
 
   /// {x : a·x ≤ b for each row (a, b) of `inequalities`, a·x = b for each row of `equations`}. Rows may be
   /// redundant, duplicate, or contradict each other. Throws Errc::bad_dimension unless rows have d+1 entries.
-  static ExactPolyhedron from_inequalities(const RationalRows& inequalities, const RationalRows& equations,
+  static Polyhedron from_inequalities(const RationalRows& inequalities, const RationalRows& equations,
                                            int dimension, const Options& options = {});
   /// The convex hull of the vertices, plus all sums of nonnegative multiples of the rays and of any multiples
   /// of the lines. Any of them may be redundant or duplicate. Without vertices, and with rays or lines, the
   /// origin is a vertex: a cone. Throws Errc::bad_dimension unless rows have d entries.
-  static ExactPolyhedron from_generators(const RationalRows& vertices, const RationalRows& rays,
+  static Polyhedron from_generators(const RationalRows& vertices, const RationalRows& rays,
                                          const RationalRows& lines, int dimension,
                                          const Options& options = {});
   /// The empty set, and the whole space. Throw Errc::bad_dimension for a negative dimension.
-  static ExactPolyhedron empty(int dimension);
-  static ExactPolyhedron space(int dimension);
+  static Polyhedron empty(int dimension);
+  static Polyhedron space(int dimension);
 
   int dimension() const;  ///< d
   /// That of the affine hull; −1 for the empty set.
@@ -134,39 +134,39 @@ class DELONE_EXPORT ExactPolyhedron {
   std::optional<RationalBox> integer_bounding_box() const;
 
   bool contains(std::span<const Rational> point) const;
-  bool includes(const ExactPolyhedron& other) const;  ///< whether each point of `other` is in this one
+  bool includes(const Polyhedron& other) const;  ///< whether each point of `other` is in this one
   /// The largest value of c·x, and where it is attained.
   Optimum maximize(std::span<const Rational> c) const;
   Optimum minimize(std::span<const Rational> c) const;  ///< the smallest value
 
-  ExactPolyhedron intersection(const ExactPolyhedron& other, const Options& options = {}) const;
+  Polyhedron intersection(const Polyhedron& other, const Options& options = {}) const;
   /// The smallest polyhedron that contains both; it is closed.
-  ExactPolyhedron convex_union(const ExactPolyhedron& other, const Options& options = {}) const;
-  ExactPolyhedron minkowski_sum(const ExactPolyhedron& other, const Options& options = {}) const;
-  ExactPolyhedron product(const ExactPolyhedron& other) const;  ///< {(x, y)} in R^(d+e)
+  Polyhedron convex_union(const Polyhedron& other, const Options& options = {}) const;
+  Polyhedron minkowski_sum(const Polyhedron& other, const Options& options = {}) const;
+  Polyhedron product(const Polyhedron& other) const;  ///< {(x, y)} in R^(d+e)
   /// {y : x·y ≤ 1 for each x of this one}.
-  ExactPolyhedron polar(const Options& options = {}) const;
+  Polyhedron polar(const Options& options = {}) const;
   /// Keeps the coordinates `axes`, in this order. Throws Errc::invalid_argument for an axis that there is
   /// not, or that comes twice.
-  ExactPolyhedron projection(std::span<const int> axes, const Options& options = {}) const;
+  Polyhedron projection(std::span<const int> axes, const Options& options = {}) const;
   /// {M·x + t}: `matrix` has d columns, and `translation` is empty or has as many entries as M has rows. A
   /// matrix without rows gives a polyhedron of R^0.
-  ExactPolyhedron image(const RationalRows& matrix, std::span<const Rational> translation = {},
+  Polyhedron image(const RationalRows& matrix, std::span<const Rational> translation = {},
                         const Options& options = {}) const;
   /// {y : M·y + t is in this one}: `matrix` has d rows of e entries, `translation` none or d. `dimension`: e,
   /// which the matrix does not tell for d = 0.
-  ExactPolyhedron preimage(const RationalRows& matrix, int dimension,
+  Polyhedron preimage(const RationalRows& matrix, int dimension,
                            std::span<const Rational> translation = {}, const Options& options = {}) const;
 
   /// Depends on the set alone.
   CanonicalHash hash() const;
   /// Whether two are the same set.
-  DELONE_EXPORT friend bool operator==(const ExactPolyhedron& a, const ExactPolyhedron& b);
+  DELONE_EXPORT friend bool operator==(const Polyhedron& a, const Polyhedron& b);
 
  private:
   struct DELONE_HIDDEN Impl;
-  explicit ExactPolyhedron(std::shared_ptr<const Impl> impl);
-  static ExactPolyhedron of(polyhedra::Description description, std::vector<RowKind> kinds = {});
+  explicit Polyhedron(std::shared_ptr<const Impl> impl);
+  static Polyhedron of(polyhedra::Description description, std::vector<RowKind> kinds = {});
 
   std::shared_ptr<const Impl> impl_;
 };

@@ -15,7 +15,7 @@
 namespace delone {
 
 /// What such a file holds: one description of a polyhedron, with rows as they are given to
-/// ExactPolyhedron::from_inequalities() or from_generators(), in the order of the file.
+/// Polyhedron::from_inequalities() or from_generators(), in the order of the file.
 struct DELONE_EXPORT_TYPE PolyhedronRows {
   int dimension = 0;
   bool has_generators = false;           ///< otherwise it has inequalities
@@ -36,12 +36,12 @@ DELONE_EXPORT PolyhedronRows read_polyhedron(const std::string& path,
                                              std::uint64_t max_stream_bytes = default_max_stream_bytes);
 
 /// The polyhedron of these rows. Throws as its constructors.
-DELONE_EXPORT ExactPolyhedron to_polyhedron(const PolyhedronRows& rows, const Options& options = {});
+DELONE_EXPORT Polyhedron to_polyhedron(const PolyhedronRows& rows, const Options& options = {});
 
 /// Writes one of the two descriptions: `ine`, inequalities and equations, or `ext`, vertices, rays and lines.
 /// Standard output takes both, `ine` by default. Throws Errc::unsupported for other formats, and as all
 /// writers.
-DELONE_EXPORT void write_polyhedron(const std::string& path, const ExactPolyhedron& polyhedron,
+DELONE_EXPORT void write_polyhedron(const std::string& path, const Polyhedron& polyhedron,
                                     const std::string& format = {});
 
 }  // namespace delone

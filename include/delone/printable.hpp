@@ -16,7 +16,4 @@ namespace delone {
 /// `\u{202e}`.
 DELONE_EXPORT std::string printable(std::string_view foreign, std::size_t most = 80);
 
-/// The same in single quotes.
-DELONE_EXPORT std::string in_quotes(std::string_view foreign);
-
 }  // namespace delone

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Progress and cancellation of calls without options of their own.
+// Progress and cancellation of all calls of a thread.
 #pragma once
 
 #include <delone/export.hpp>
@@ -14,13 +14,13 @@ class ProgressMeter;
 
 /// While it lives, all long calls of the library in this thread call a progress function about every 20 ms,
 /// and throw Errc::cancelled if it returns false; objects are then unchanged. So queries, volumes, diagrams,
-/// checks and files can be stopped as constructions can.
+/// checks and files can be stopped as constructions can, and so can members that compute on first use.
 ///
 ///   const ProgressScope scope([&](double) { return !stop; });
 ///   const Measure volume = hull.volume();
 ///
-/// The function receives the fraction done of a construction, 0…1, or 0 if it is not known. A progress
-/// function in the options of a call is called, too. Scopes of one thread end in the reverse order of their
+/// The function receives the fraction done, 0…1, or 0 if it is not known. The progress function of a call
+/// (Execution, Options) is called, too. Scopes of one thread end in the reverse order of their
 /// creation.
 class DELONE_EXPORT ProgressScope {
  public:

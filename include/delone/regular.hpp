@@ -85,10 +85,10 @@ class Regular : public Triangulation {
   /// Reweights one row, or several. Cost and errors as for move(); bad_dimension unless there is one weight
   /// per row.
   void set_weight(std::size_t row, double weight) {
-    apply(RowEdits{.weigh = std::span(&row, 1), .weights = std::span(&weight, 1)});
+    apply(RowEdits{.reweight = std::span(&row, 1), .weights = std::span(&weight, 1)});
   }
   void set_weights(std::span<const std::size_t> rows, std::span<const double> weights) {
-    apply(RowEdits{.weigh = rows, .weights = weights});
+    apply(RowEdits{.reweight = rows, .weights = weights});
   }
 
   /// A deep copy in which cells and vertices have the same ids: a snapshot for readers while the original is

@@ -5,6 +5,7 @@
 
 #include <delone/check.hpp>
 #include <delone/complex.hpp>
+#include <delone/execution.hpp>
 #include <delone/export.hpp>
 #include <delone/points.hpp>
 
@@ -33,7 +34,7 @@ struct TilesOptions {
   std::uint64_t memory = 0;
   /// The number of tiles; 0: as few as the memory allows.
   std::size_t tiles = 0;
-  unsigned threads = 1;  ///< as Options::threads
+  unsigned threads = 1;  ///< as Execution::threads
   /// Whether a column of the input holds weights: the triangulation is then regular.
   bool weighted = false;
   /// The format of the input: as ReadOptions::format, or raw: little-endian doubles, `columns` of them in a
@@ -47,7 +48,7 @@ struct TilesOptions {
   /// Continue from what an earlier call with the same arguments has left in the folder.
   bool resume = true;
   bool vtu = false;  ///< also write tiles.pvtu and a .vtu per part, d ≤ 3
-  /// As Options::progress.
+  /// As Execution::progress.
   std::function<bool(double)> progress = {};
   /// Called once, before the first tile; return false to cancel (Errc::cancelled).
   std::function<bool(const TilesForecast&)> forecast = {};
@@ -132,12 +133,13 @@ DELONE_EXPORT std::optional<UnfinishedTiles> find_unfinished_tiles(const std::st
 /// of duplicates and hidden points are not in the folder: of these rows nothing else is proved. A part that
 /// cannot be read is a violation of level 1. Throws as read_tiles_index(), Errc::invalid_argument as check()
 /// and for furthest_site and cells without orientation, cannot_write, out_of_memory.
-DELONE_EXPORT CheckReport check_tiles(const std::string& folder, const CheckOptions& options = {});
+DELONE_EXPORT CheckReport check_tiles(const std::string& folder, const CheckOptions& options = {},
+                                      const Execution& how = {});
 /// The same, and at level 6 against the input: rows of d coordinates, and a weight if points have weights.
 /// Vertices are these points, and duplicates are equal to their vertices: a triangulation of all points,
 /// except that nothing is proved about hidden ones. Also throws Errc::bad_dimension, and invalid_argument for
 /// another number of points.
 DELONE_EXPORT CheckReport check_tiles(const std::string& folder, PointsView input,
-                                      const CheckOptions& options = {});
+                                      const CheckOptions& options = {}, const Execution& how = {});
 
 }  // namespace delone

@@ -6,6 +6,7 @@
 #include <delone/data.hpp>
 #include <delone/edit.hpp>
 #include <delone/error.hpp>
+#include <delone/execution.hpp>
 #include <delone/export.hpp>
 #include <delone/options.hpp>
 #include <delone/points.hpp>
@@ -179,8 +180,7 @@ class DELONE_EXPORT Triangulation {
   /// out.
   ComplexData to_data(bool with_points = true) const;
   /// The hash of the vertices' coordinates and the set of cells, see CanonicalHash. O(n·d + cells·k).
-  /// `threads`: as for canonical_hash() below.
-  CanonicalHash hash(unsigned threads = 1) const;
+  CanonicalHash hash(const Execution& how = {}) const;
   /// What the triangulation has cost so far. O(1).
   Statistics statistics() const;
 
@@ -202,10 +202,10 @@ class DELONE_EXPORT Triangulation {
   InsertResult insert_point(std::span<const double> point, double weight, std::optional<CellId> hint);
   /// An Edit of any D: coordinates one after the other.
   struct RowEdits {
-    std::span<const std::size_t> remove = {}, move = {}, weigh = {};
+    std::span<const std::size_t> remove = {}, move = {}, reweight = {};
     std::span<const double> to = {}, weights = {}, insert = {}, insert_weights = {};
     bool is_empty() const {
-      return remove.empty() && move.empty() && weigh.empty() && to.empty() && weights.empty() &&
+      return remove.empty() && move.empty() && reweight.empty() && to.empty() && weights.empty() &&
              insert.empty() && insert_weights.empty();
     }
   };
@@ -214,7 +214,7 @@ class DELONE_EXPORT Triangulation {
   void apply(const Edit<D>& edit) {
     edit.to.require_dimension(dimension(), "move");
     edit.insert.require_dimension(dimension(), "insert");
-    apply(RowEdits{edit.remove, edit.move, edit.weigh, edit.to.coordinates(), edit.weights,
+    apply(RowEdits{edit.remove, edit.move, edit.reweight, edit.to.coordinates(), edit.weights,
                    edit.insert.coordinates(), edit.insert_weights});
   }
   std::vector<CellId> conflict_zone_of(std::span<const double> query, double weight,
@@ -243,9 +243,5 @@ template <int D>
 using OwnPoint = std::conditional_t<D == dynamic, std::vector<double>, std::array<double, (D > 0 ? D : 1)>>;
 
 }  // namespace detail
-
-/// canonical_hash() by several threads. `threads`: the most to use; 0: one per core if the data are large
-/// enough to gain by it. Errors as for canonical_hash(data).
-DELONE_EXPORT CanonicalHash canonical_hash(const ComplexData& data, unsigned threads);
 
 }  // namespace delone

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <delone/data.hpp>
+#include <delone/execution.hpp>
 #include <delone/export.hpp>
 #include <delone/triangulation.hpp>
 #include <delone/types.hpp>
@@ -43,7 +44,8 @@ struct TrimResult {
 /// is not convex: the data say that they are trimmed, and check() proves them a part. Cost: O(m·k·d²) for m
 /// cells, and a solve in integers for each cell at the border that may be thin. Throws Errc::invalid_argument
 /// (a tolerance that is negative, not finite, or larger than the longest side of the bounding box of two
-/// points or more), out_of_memory, cancelled by a ProgressScope.
-DELONE_EXPORT TrimResult trim(const Triangulation& triangulation, double tolerance);
+/// points or more), out_of_memory, cancelled.
+DELONE_EXPORT TrimResult trim(const Triangulation& triangulation, double tolerance,
+                              const Execution& how = {});
 
 }  // namespace delone

@@ -63,6 +63,12 @@ constexpr Sign operator*(Sign a, Sign b) {
 /// The side of a sphere or hyperplane that a point lies on, decided exactly. Positive is inside.
 enum class Side : signed char { outside = -1, on = 0, inside = 1 };
 
+/// A length, area or volume: the exact one differs from `value` by at most `error`.
+struct Measure {
+  double value = 0;
+  double error = 0;
+};
+
 /// A read-only view of n points in R^d: n·d contiguous doubles, row-major (one point after the other).
 class PointsView {
  public:

@@ -5,6 +5,7 @@
 
 #include <delone/data.hpp>
 #include <delone/delaunay.hpp>
+#include <delone/execution.hpp>
 #include <delone/export.hpp>
 #include <delone/furthest_site.hpp>
 #include <delone/points.hpp>
@@ -50,16 +51,11 @@ enum class DiagramParts {
   all,
 };
 
-/// How a diagram is made.
+/// What a diagram has.
 struct DiagramOptions {
   DiagramParts parts = DiagramParts::all;
   /// ε ≥ 0, a distance: smaller details are left out of the diagram, see Diagram. 0: the exact diagram.
   double tolerance = 0;
-  /// The most threads to use; 0: one per core of this process if the diagram is large enough to gain by it.
-  /// The arrays do not depend on it, to the last bit.
-  unsigned threads = 1;
-  /// As in Options; the fraction is always 0.
-  std::function<bool(double)> progress = {};
 };
 
 /// A diagram of sites in R^d: for each site (distinct point) the region of the points of the flat that are
@@ -106,7 +102,8 @@ struct DiagramOptions {
 /// Cost: one solve of k equations per cell, and the size of the output; a tolerance adds a pass over the
 /// ridges, and keeps the exact diagram in memory if it changed anything. Constructors throw
 /// Errc::invalid_argument (a tolerance that is negative or not finite, or larger than the longest side of the
-/// bounding box of two sites or more), cancelled, out_of_memory.
+/// bounding box of two sites or more), cancelled, out_of_memory. Arrays and volumes do not depend on the
+/// number of threads, to the last bit.
 class DELONE_EXPORT Diagram {
  public:
   DataKind kind() const { return kind_; }                     ///< voronoi, power_diagram, furthest_voronoi
@@ -189,21 +186,21 @@ class DELONE_EXPORT Diagram {
   /// unbounded ridges and those with a vertex beyond the range of double precision. Combinatorics are exact;
   /// sums are in binary64, relative error about 10⁻¹⁵ times the shape's condition. Cost: O(output) for k ≤ 3;
   /// beyond, at most (k−1)! simplices per cell and ridge.
-  /// `threads`, here and below: as DiagramOptions::threads; volumes do not depend on it either.
-  std::vector<double> ridge_volumes(unsigned threads = 1) const;
+  std::vector<double> ridge_volumes(const Execution& how = {}) const;
   /// The k-volume of each region, infinity for unbounded ones: (1/k)·Σ over its ridges of volume times signed
   /// distance of the site from the bisector, compensated. For k = 0 infinity. Cost: that of ridge_volumes().
-  std::vector<double> region_volumes(unsigned threads = 1) const;
+  std::vector<double> region_volumes(const Execution& how = {}) const;
   /// The d-volume of each region within a box: always of dimension d, regions of flat input being those of
   /// R^d, prisms over the ones in the flat. The volumes add up to that of the box up to rounding. The
   /// combinatorics of every cut are exact. Cost: regions that lie inside the box as region_volumes(); others
   /// one by one, 2^d corners and more. Throws Errc::invalid_argument (no ridges, or a box not of d finite
   /// numbers low < high), unsupported (d > 12), out_of_memory.
-  std::vector<double> region_volumes(const Box& box, unsigned threads = 1) const;
+  std::vector<double> region_volumes(const Box& box, const Execution& how = {}) const;
   /// Calls `visit` with each region clipped to the box, in order. Throws as region_volumes(box);
   /// Errc::unsupported for d > 3.
-  void for_each_clipped_region(
-      const Box& box, const std::function<void(std::size_t region, const ClippedRegion&)>& visit) const;
+  void for_each_clipped_region(const Box& box,
+                               const std::function<void(std::size_t region, const ClippedRegion&)>& visit,
+                               const Execution& how = {}) const;
   /// The bounding box of the sites, enlarged on each side by `margin` times its longest side (1 if that is
   /// 0). Throws Errc::invalid_argument unless the margin is a number ≥ 0.
   Box bounding_box(double margin = 0.1) const;
@@ -211,7 +208,7 @@ class DELONE_EXPORT Diagram {
  protected:
   /// `weight`: the weight of each vertex; empty if points have no weights.
   Diagram(const Triangulation& triangulation, const std::function<double(VertexId)>& weight,
-          const DiagramOptions& options);
+          const DiagramOptions& options, const Execution& how);
   Diagram(detail::Clone, const Diagram& other);
   Diagram(Diagram&&) noexcept = default;
   Diagram& operator=(Diagram&&) noexcept = default;
@@ -266,12 +263,14 @@ template <int D = dynamic>
 class Voronoi : public Diagram {
  public:
   /// Throws as described for Diagram.
-  explicit Voronoi(const Delaunay<D>& triangulation, const DiagramOptions& options = {})
-      : Diagram(triangulation, {}, options) {}
+  explicit Voronoi(const Delaunay<D>& triangulation, const DiagramOptions& options = {},
+                   const Execution& how = {})
+      : Diagram(triangulation, {}, options, how) {}
   /// Does not compile for other triangulations, whose dual is another diagram, or for a `Triangulation`,
   /// which may be any.
   template <detail::OtherThan<Delaunay<D>, Voronoi<D>> Other>
-  explicit Voronoi(const Other&, const DiagramOptions& = {}) : Voronoi(refused<Other>()) {}
+  explicit Voronoi(const Other&, const DiagramOptions& = {}, const Execution& = {})
+      : Voronoi(refused<Other>()) {}
   Voronoi(Voronoi&&) noexcept = default;
   Voronoi& operator=(Voronoi&&) noexcept = default;
 
@@ -296,7 +295,7 @@ class Voronoi : public Diagram {
 };
 
 template <int D>
-Voronoi(const Delaunay<D>&, const DiagramOptions& = {}) -> Voronoi<D>;
+Voronoi(const Delaunay<D>&, const DiagramOptions& = {}, const Execution& = {}) -> Voronoi<D>;
 
 /// The power diagram of weighted points of R^D: as the Voronoi diagram, with the power |x − p|² − weight in
 /// place of the squared distance, and the centres of power spheres as vertices. Hidden points have no region;
@@ -305,12 +304,14 @@ template <int D = dynamic>
 class PowerDiagram : public Diagram {
  public:
   /// Throws as described for Diagram.
-  explicit PowerDiagram(const Regular<D>& triangulation, const DiagramOptions& options = {})
+  explicit PowerDiagram(const Regular<D>& triangulation, const DiagramOptions& options = {},
+                        const Execution& how = {})
       : Diagram(
-            triangulation, [&triangulation](VertexId v) { return triangulation.weight(v); }, options) {}
+            triangulation, [&triangulation](VertexId v) { return triangulation.weight(v); }, options, how) {}
   /// Does not compile for other triangulations.
   template <detail::OtherThan<Regular<D>, PowerDiagram<D>> Other>
-  explicit PowerDiagram(const Other&, const DiagramOptions& = {}) : PowerDiagram(refused<Other>()) {}
+  explicit PowerDiagram(const Other&, const DiagramOptions& = {}, const Execution& = {})
+      : PowerDiagram(refused<Other>()) {}
   PowerDiagram(PowerDiagram&&) noexcept = default;
   PowerDiagram& operator=(PowerDiagram&&) noexcept = default;
 
@@ -333,7 +334,7 @@ class PowerDiagram : public Diagram {
 };
 
 template <int D>
-PowerDiagram(const Regular<D>&, const DiagramOptions& = {}) -> PowerDiagram<D>;
+PowerDiagram(const Regular<D>&, const DiagramOptions& = {}, const Execution& = {}) -> PowerDiagram<D>;
 
 /// The diagram of furthest sites of points of R^D: for each extreme point the region of the points of the
 /// flat that are not further from any other. All regions are unbounded, and a region does not contain its
@@ -341,11 +342,13 @@ PowerDiagram(const Regular<D>&, const DiagramOptions& = {}) -> PowerDiagram<D>;
 template <int D = dynamic>
 class FurthestVoronoi : public Diagram {
  public:
-  explicit FurthestVoronoi(const FurthestSite<D>& triangulation, const DiagramOptions& options = {})
-      : Diagram(triangulation, {}, options) {}
+  explicit FurthestVoronoi(const FurthestSite<D>& triangulation, const DiagramOptions& options = {},
+                           const Execution& how = {})
+      : Diagram(triangulation, {}, options, how) {}
   /// Other triangulations have another dual.
   template <detail::OtherThan<FurthestSite<D>, FurthestVoronoi<D>> Other>
-  explicit FurthestVoronoi(const Other&, const DiagramOptions& = {}) : FurthestVoronoi(refused<Other>()) {}
+  explicit FurthestVoronoi(const Other&, const DiagramOptions& = {}, const Execution& = {})
+      : FurthestVoronoi(refused<Other>()) {}
   FurthestVoronoi(FurthestVoronoi&&) noexcept = default;
   FurthestVoronoi& operator=(FurthestVoronoi&&) noexcept = default;
 
@@ -368,6 +371,7 @@ class FurthestVoronoi : public Diagram {
 };
 
 template <int D>
-FurthestVoronoi(const FurthestSite<D>&, const DiagramOptions& = {}) -> FurthestVoronoi<D>;
+FurthestVoronoi(const FurthestSite<D>&, const DiagramOptions& = {}, const Execution& = {})
+    -> FurthestVoronoi<D>;
 
 }  // namespace delone

@@ -12,20 +12,20 @@ class Changes:
 
     Parameters
     ----------
-    killed : ndarray of int
-        Destroyed cells, by their `cell_ids` before the change.
-    born : ndarray of int
-        Created cells, by their `cell_ids` after it. A created cell may have the id of a destroyed one. A cell in neither array
+    removed_cells : ndarray of int
+        Cells that the change removed, by their `cell_ids` before the change.
+    created_cells : ndarray of int
+        Created cells, by their `cell_ids` after it. A created cell may have the id of a removed one. A cell in neither array
         has the same id and vertices as before, but its vertices may have moved, and its neighbors may be new.
-    came : ndarray of int
+    added_vertices : ndarray of int
         Added vertices, hidden or not, by their `vertex_ids`.
-    gone : ndarray of int
+    removed_vertices : ndarray of int
         Removed vertices, without any row left. Their ids are not reused.
-    hid : ndarray of int
+    hidden_vertices : ndarray of int
         Vertices that became hidden: they have rows, but no cells any more.
-    reappeared : ndarray of int
+    reappeared_vertices : ndarray of int
         Vertices that were hidden and have cells now.
-    moved : ndarray of int
+    moved_vertices : ndarray of int
         Vertices with other coordinates or another weight.
 
     Examples
@@ -35,15 +35,18 @@ class Changes:
     >>> t.record_changes()
     >>> t.insert_range([[0.5, 0.5]])
     >>> t.changes
-    <delone.Changes: 1 killed, 3 born, 1 came>
+    <delone.Changes: removed_cells=1, created_cells=3, added_vertices=1>
     """
 
-    __slots__ = ("killed", "born", "came", "gone", "hid", "reappeared", "moved")
+    __slots__ = ("removed_cells", "created_cells", "added_vertices", "removed_vertices", "hidden_vertices", "reappeared_vertices",
+                 "moved_vertices")
 
-    def __init__(self, killed: np.ndarray, born: np.ndarray, came: np.ndarray, gone: np.ndarray, hid: np.ndarray, reappeared: np.ndarray,
-                 moved: np.ndarray):
-        self.killed, self.born, self.came, self.gone, self.hid, self.reappeared, self.moved = killed, born, came, gone, hid, reappeared, moved
+    def __init__(self, removed_cells: np.ndarray, created_cells: np.ndarray, added_vertices: np.ndarray, removed_vertices: np.ndarray,
+                 hidden_vertices: np.ndarray, reappeared_vertices: np.ndarray, moved_vertices: np.ndarray):
+        self.removed_cells, self.created_cells = removed_cells, created_cells
+        self.added_vertices, self.removed_vertices = added_vertices, removed_vertices
+        self.hidden_vertices, self.reappeared_vertices, self.moved_vertices = hidden_vertices, reappeared_vertices, moved_vertices
 
     def __repr__(self) -> str:
         counts = [(len(getattr(self, name)), name) for name in self.__slots__]
-        return f"<delone.Changes: {', '.join(f'{count} {name}' for count, name in counts if count) or 'none'}>"
+        return f"<delone.Changes: {', '.join(f'{name}={count}' for count, name in counts if count) or 'none'}>"

@@ -43,7 +43,7 @@ class HeldHull {
   /// Returns question(hull).
   template <class Question>
   auto ask(Question question) const {
-    return guard_.ask([&] { return question(static_cast<const Polytope&>(hull_)); });
+    return guard_.ask([&] { return question(static_cast<const ConvexHullBase&>(hull_)); });
   }
 
   void add(const py::object& points, const py::object& progress) {
@@ -73,14 +73,14 @@ class HeldHull {
 
   /// The arrays. Later insertions do not change them.
   std::shared_ptr<const HullData> data() const {
-    return ask([this](const Polytope& hull) {
+    return ask([this](const ConvexHullBase& hull) {
       const std::lock_guard lock(data_mutex_);
       if (!data_) data_ = std::make_shared<const HullData>(hull.to_data());
       return data_;
     });
   }
   std::vector<std::size_t> batches() const {
-    return ask([this](const Polytope&) { return batches_; });
+    return ask([this](const ConvexHullBase&) { return batches_; });
   }
 
  private:
@@ -145,7 +145,7 @@ py::object locate(const HeldHull& held, const py::object& object) {
   std::vector<SignedIndex> cells(count), rows;
   std::vector<std::int64_t> offsets{0};
   const auto x = queries.coordinates();
-  held.ask([&](const Polytope& hull) {
+  held.ask([&](const ConvexHullBase& hull) {
     for (std::size_t i = 0; i < count; ++i) {
       cancellation_point();
       const Containment where = hull.locate(x.subspan(i * d, d));
@@ -165,7 +165,7 @@ py::object contains(const HeldHull& held, const py::object& object) {
   const Queries queries(object, held);
   auto result = queries.answers<bool>();
   const std::size_t d = static_cast<std::size_t>(held.dimension());
-  held.ask([&, x = queries.coordinates(), out = result.mutable_data()](const Polytope& hull) {
+  held.ask([&, x = queries.coordinates(), out = result.mutable_data()](const ConvexHullBase& hull) {
     for (std::size_t i = 0; i < x.size() / d; ++i) {
       cancellation_point();
       out[i] = hull.contains(x.subspan(i * d, d));
@@ -200,15 +200,15 @@ py::array visible_facets(const HeldHull& held, const py::object& point) {
   const Queries query(point, held, "point");
   if (query.size() != 1) throw py::value_error("point: one point of shape (d,)");
   return list_view(
-      held.ask([x = query.coordinates()](const Polytope& hull) { return hull.visible_facets(x); }));
+      held.ask([x = query.coordinates()](const ConvexHullBase& hull) { return hull.visible_facets(x); }));
 }
 
 py::dict statistics(const HeldHull& held) {
-  return as_dict(held.ask([](const Polytope& hull) { return hull.statistics(); }));
+  return as_dict(held.ask([](const ConvexHullBase& hull) { return hull.statistics(); }));
 }
 
 std::string repr(const HeldHull& held) {
-  return held.ask([](const Polytope& hull) {
+  return held.ask([](const ConvexHullBase& hull) {
     std::string text = "<delone.ConvexHull: " + std::to_string(hull.num_points()) + " points in dimension " +
                        std::to_string(hull.dimension());
     if (hull.affine_dimension() < hull.dimension())
@@ -229,7 +229,7 @@ py::tuple sample(const HeldHull& held, std::size_t limit) {
   std::vector<double> corners;
   std::vector<SignedIndex> facets;
   std::size_t k = 0;
-  held.ask([&](const Polytope& hull) {
+  held.ask([&](const ConvexHullBase& hull) {
     const HullData& data = hull.data();
     k = width(data);
     const std::size_t step = data.num_cells() / std::max<std::size_t>(limit, 1) + 1;
@@ -249,7 +249,7 @@ py::tuple sample(const HeldHull& held, std::size_t limit) {
 
 py::tuple state_of_hull(const HeldHull& held) {
   const BuildArguments& a = held.arguments();
-  const double tolerance = held.ask([](const Polytope& hull) { return hull.tolerance(); });
+  const double tolerance = held.ask([](const ConvexHullBase& hull) { return hull.tolerance(); });
   for (;;) {
     const std::vector<std::size_t> batches = held.batches();
     const py::array rows = points(held);
@@ -295,33 +295,34 @@ void bind_convex_hull(py::module_& module) {
   type.def_property_readonly("dimension", &HeldHull::dimension,
                              "The number d >= 1 of coordinates of a point.")
       .def_property_readonly("affine_dimension",
-                             asking([](const Polytope& h) { return h.affine_dimension(); }),
+                             asking([](const ConvexHullBase& h) { return h.affine_dimension(); }),
                              "The dimension k <= d of the smallest flat that contains all points; 0 for one "
                              "distinct point, -1 for none.")
-      .def_property_readonly("tolerance", asking([](const Polytope& h) { return h.tolerance(); }),
+      .def_property_readonly("tolerance", asking([](const ConvexHullBase& h) { return h.tolerance(); }),
                              "The tolerance of the constructor; 0.0: the hull is exact.")
       .def_property_readonly(
-          "max_distance", asking([](const Polytope& h) { return h.max_distance(); }),
+          "max_distance", asking([](const ConvexHullBase& h) { return h.max_distance(); }),
           "A bound, rounded up, on the distance of points outside the hull; at most `tolerance`.")
       .def_property_readonly(
           "axes",
           [](const HeldHull& h) {
-            return py::tuple(py::cast(h.ask([](const Polytope& p) { return p.axes(); })));
+            return py::tuple(py::cast(h.ask([](const ConvexHullBase& p) { return p.axes(); })));
           },
           "The k coordinate axes onto which the flat of the points projects one-to-one, increasing, a tuple.")
-      .def_property_readonly("num_points", asking([](const Polytope& h) { return h.num_points(); }),
+      .def_property_readonly("num_points", asking([](const ConvexHullBase& h) { return h.num_points(); }),
                              "The number n of input rows, duplicates included.")
-      .def_property_readonly("num_duplicates", asking([](const Polytope& h) { return h.num_duplicates(); }),
+      .def_property_readonly("num_duplicates",
+                             asking([](const ConvexHullBase& h) { return h.num_duplicates(); }),
                              "The number of rows that are equal to an earlier one.")
-      .def_property_readonly("num_vertices", asking([](const Polytope& h) { return h.num_vertices(); }),
+      .def_property_readonly("num_vertices", asking([](const ConvexHullBase& h) { return h.num_vertices(); }),
                              "The number of distinct extreme points: those in no segment between two others.")
-      .def_property_readonly("num_cells", asking([](const Polytope& h) { return h.num_cells(); }),
+      .def_property_readonly("num_cells", asking([](const ConvexHullBase& h) { return h.num_cells(); }),
                              "The number m of simplices of the boundary.")
-      .def_property_readonly("num_facets", asking([](const Polytope& h) { return h.num_facets(); }),
+      .def_property_readonly("num_facets", asking([](const ConvexHullBase& h) { return h.num_facets(); }),
                              "The number f of facets of the polytope; also len().")
-      .def_property_readonly("num_ridges", asking([](const Polytope& h) { return h.num_ridges(); }),
+      .def_property_readonly("num_ridges", asking([](const ConvexHullBase& h) { return h.num_ridges(); }),
                              "The number r of ridges of the polytope, in which two facets meet.")
-      .def("__len__", asking([](const Polytope& h) { return h.num_facets(); }))
+      .def("__len__", asking([](const ConvexHullBase& h) { return h.num_facets(); }))
       .def_property_readonly("columns", &HeldHull::columns,
                              "The labels of the columns of the DataFrame it was made of, a tuple, or None; "
                              "see `Delaunay.columns`.")
@@ -388,22 +389,22 @@ void bind_convex_hull(py::module_& module) {
                 {static_cast<py::ssize_t>(data->point_kinds.size())}, data);
           },
           text(docs::convex_hull::point_kinds))
-      .def_property_readonly("volume", asking([](const Polytope& h) { return h.volume().value; }),
+      .def_property_readonly("volume", asking([](const ConvexHullBase& h) { return h.volume().value; }),
                              text(docs::convex_hull::volume))
-      .def_property_readonly("volume_error", asking([](const Polytope& h) { return h.volume().error; }),
+      .def_property_readonly("volume_error", asking([](const ConvexHullBase& h) { return h.volume().error; }),
                              "A bound on the error of `volume`; infinite if numbers overflow.")
       .def_property_readonly(
-          "area", asking([](const Polytope& h) { return h.area().value; }),
+          "area", asking([](const ConvexHullBase& h) { return h.area().value; }),
           "The (k-1)-dimensional volume of the boundary, off by at most `area_error`; 2 for k = 1.")
-      .def_property_readonly("area_error", asking([](const Polytope& h) { return h.area().error; }),
+      .def_property_readonly("area_error", asking([](const ConvexHullBase& h) { return h.area().error; }),
                              "A bound on the error of `area`; infinite if numbers overflow.")
       .def_property_readonly(
           "f_vector",
           [](const HeldHull& h) {
-            return py::tuple(py::cast(h.ask([](const Polytope& p) { return p.f_vector(); })));
+            return py::tuple(py::cast(h.ask([](const ConvexHullBase& p) { return p.f_vector(); })));
           },
           text(docs::convex_hull::f_vector))
-      .def_property_readonly("hash", asking([](const Polytope& h) { return h.hash().hex(); }),
+      .def_property_readonly("hash", asking([](const ConvexHullBase& h) { return h.hash().hex(); }),
                              text(docs::convex_hull::hash))
       .def_property_readonly("statistics", &statistics, text(docs::convex_hull::statistics))
       .def("contains", &contains, "queries"_a, text(docs::convex_hull::contains))
@@ -411,11 +412,13 @@ void bind_convex_hull(py::module_& module) {
       .def("plane_distance", &plane_distance, "queries"_a, text(docs::convex_hull::plane_distance))
       .def("visible_facets", &visible_facets, "point"_a, text(docs::convex_hull::visible_facets))
       .def("_data",
-           [](const HeldHull& h) { return to_python(h.ask([](const Polytope& p) { return p.to_data(); })); })
+           [](const HeldHull& h) {
+             return to_python(h.ask([](const ConvexHullBase& p) { return p.to_data(); }));
+           })
       .def("__repr__", &repr)
       .def(py::pickle(&state_of_hull, &restored_hull));
   define_save(type, [](const HeldHull& held, const SaveArguments& to) {
-    held.ask([&](const Polytope& p) { to.save(p, [&] { return p.to_data(); }); });
+    held.ask([&](const ConvexHullBase& p) { to.save(p, [&] { return p.to_data(); }); });
   });
   define_to_html(type,
                  [](const HeldHull& h, const HtmlOptions& options) { return html_of(h.data(), options); });

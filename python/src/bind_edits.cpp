@@ -78,7 +78,7 @@ std::unique_ptr<T> construct(const py::object& points, const py::object& weights
 
 /// The arguments of an edit, converted and checked.
 struct Edits {
-  std::vector<std::size_t> remove = {}, move = {}, weigh = {};
+  std::vector<std::size_t> remove = {}, move = {}, reweight = {};
   py::array_t<double> to = {}, weights = {}, insert = {}, insert_weights = {};
 };
 
@@ -89,7 +89,7 @@ void make(Held& held, const Edits& edits, const py::object& progress) {
     held.edit({.remove = edits.remove,
                .move = edits.move,
                .to = PointsView(to, held.dimension()),
-               .weigh = edits.weigh,
+               .reweight = edits.reweight,
                .weights = weights,
                .insert = PointsView(insert, held.dimension()),
                .insert_weights = insert_weights});
@@ -131,7 +131,7 @@ void put_weights(Edits& edits, const py::object& rows, const py::object& weights
   } else {
     edits.weights = as_weights(weights, static_cast<py::ssize_t>(numbers.rows.size()), name);
   }
-  edits.weigh = std::move(numbers.rows);
+  edits.reweight = std::move(numbers.rows);
 }
 
 std::pair<py::object, py::object> as_pair(const py::object& object, const char* text) {
@@ -213,9 +213,10 @@ py::object changes(const Held& held) {
   const auto all = supervisor.run([&] { return held.changes(); });
   if (!all) return py::none();
   return py::module_::import("delone._changes")
-      .attr("Changes")(id_view(all->killed, all), id_view(all->born, all), id_view(all->came, all),
-                       id_view(all->gone, all), id_view(all->hid, all), id_view(all->reappeared, all),
-                       id_view(all->moved, all));
+      .attr("Changes")(id_view(all->removed_cells, all), id_view(all->created_cells, all),
+                       id_view(all->added_vertices, all), id_view(all->removed_vertices, all),
+                       id_view(all->hidden_vertices, all), id_view(all->reappeared_vertices, all),
+                       id_view(all->moved_vertices, all));
 }
 
 py::array cell_ids(const Held& held) {

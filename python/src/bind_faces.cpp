@@ -27,7 +27,7 @@ namespace {
 using namespace py::literals;
 using Held = HeldTriangulation;
 
-FaceOptions options_of(const Held& held) { return {.threads = held.threads(), .progress = {}}; }
+Execution how_of(const Held& held) { return {.threads = held.threads()}; }
 
 py::array as_flags(const std::vector<unsigned char>& marks) {
   py::array_t<bool> flags(static_cast<py::ssize_t>(marks.size()));
@@ -88,8 +88,8 @@ class HeldAlpha {
       held_->with_engine([&](const Triangulation& engine) {
         version_ = held_->version();
         complex_ = std::make_shared<const AlphaComplex>(
-            squared ? AlphaComplex::of_squared_radius(engine, *squared, options_of(*held_))
-                    : AlphaComplex(engine, radius_, options_of(*held_)));
+            squared ? AlphaComplex::of_squared_radius(engine, *squared, how_of(*held_))
+                    : AlphaComplex(engine, radius_, how_of(*held_)));
         cells_ = held_->cells_of(engine);
       });
     });
@@ -123,7 +123,7 @@ class HeldAlpha {
     return supervisor.run([&] {
       return held_->with_engine([&](const Triangulation&) {
         if (held_->version() != version_) throw has_changed();
-        return HeldFaces(complex_->faces(dimension, options_of(*held_)));
+        return HeldFaces(complex_->faces(dimension, how_of(*held_)));
       });
     });
   }
@@ -217,16 +217,16 @@ void bind_faces(py::module_& module) {
       "faces", text(docs::faces::faces),
       [](const Held& held, int dimension) {
         return ask(held,
-                   [&](const Triangulation& t) { return HeldFaces(faces(t, dimension, options_of(held))); });
+                   [&](const Triangulation& t) { return HeldFaces(faces(t, dimension, how_of(held))); });
       },
       "dimension"_a);
   property("circumradii", text(docs::faces::circumradii), [](const Held& held) {
-    return list_view(ask(held, [&](const Triangulation& t) { return circumradii(t, options_of(held)); }));
+    return list_view(ask(held, [&](const Triangulation& t) { return circumradii(t, how_of(held)); }));
   });
   property("circumcenters", text(docs::faces::circumcenters), [](const Held& held) {
     const auto d = static_cast<std::size_t>(held.dimension());
     std::vector<double> centers =
-        ask(held, [&](const Triangulation& t) { return circumcenters(t, options_of(held)); });
+        ask(held, [&](const Triangulation& t) { return circumcenters(t, how_of(held)); });
     const std::size_t count = centers.size() / d;
     return rows_view(std::move(centers), count, d);
   });
@@ -235,7 +235,7 @@ void bind_faces(py::module_& module) {
       [](const Held& held, const std::string& measure) {
         const QualityMeasure chosen = measure_of(measure);
         return list_view(
-            ask(held, [&](const Triangulation& t) { return qualities(t, chosen, options_of(held)); }));
+            ask(held, [&](const Triangulation& t) { return qualities(t, chosen, how_of(held)); }));
       },
       "measure"_a = "radius_ratio");
   method(
@@ -254,13 +254,13 @@ void bind_faces(py::module_& module) {
       "alpha_values", text(docs::faces::alpha_values),
       [](const Held& held, int dimension) {
         return list_view(ask(held, [&](const Triangulation& t) {
-          return std::move(alpha_values(t, dimension, options_of(held)).values);
+          return std::move(alpha_values(t, dimension, how_of(held)).values);
         }));
       },
       "dimension"_a);
   method("alpha_filtration", text(docs::faces::alpha_filtration), [](const Held& held) {
     std::vector<FaceValues> levels =
-        ask(held, [&](const Triangulation& t) { return alpha_filtration(t, options_of(held)); });
+        ask(held, [&](const Triangulation& t) { return alpha_filtration(t, how_of(held)); });
     py::list result;
     for (FaceValues& level : levels)
       result.append(py::make_tuple(HeldFaces(std::move(level.faces)), list_view(std::move(level.values))));

@@ -30,9 +30,9 @@ py::tuple read_table(const std::string& path, const std::string& format, std::ve
   options.format = format;
   options.columns = std::move(columns);
   options.max_stream_bytes = max_stream_bytes;
-  options.threads = as_threads(threads);
+  const Execution how{.threads = as_threads(threads)};
   Supervisor supervisor;
-  PointTable table = supervisor.run([&] { return read_points(path, options); });
+  PointTable table = supervisor.run([&] { return read_points(path, options, how); });
   const std::size_t n = table.num_points();
   py::array_t<double> points({static_cast<py::ssize_t>(n), static_cast<py::ssize_t>(table.dimension)});
   std::copy(table.coordinates.begin(), table.coordinates.end(), points.mutable_data());
@@ -79,11 +79,11 @@ py::dict check_any(const std::string& kind, const py::dict& members, std::option
   options.canonical = canonical;
   options.oriented = oriented;
   options.furthest_site = furthest_site;
-  options.threads = as_threads(threads);
+  const Execution how{.threads = as_threads(threads)};
   return with_kind(kind, [&](auto empty) {
     const auto data = from_python<decltype(empty)>(members);
     Supervisor supervisor;
-    const CheckReport report = supervisor.run([&] { return check(data, options); });
+    const CheckReport report = supervisor.run([&] { return check(data, options, how); });
     return py::dict(
         "ok"_a = report.ok, "level"_a = report.reached.number, "name"_a = std::string(report.reached.name),
         "violation"_a = report.violation, "cells"_a = py::tuple(py::cast(report.cells)),

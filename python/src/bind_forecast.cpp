@@ -3,6 +3,8 @@
 #include "arrays.hpp"
 #include "docs_forecasts.hpp"
 #include "docstring.hpp"
+#include "messages/in_quotes.hpp"
+#include "messages/readable.hpp"
 #include "module.hpp"
 #include "pickling.hpp"
 #include "running.hpp"
@@ -28,13 +30,14 @@ void require_kind(const std::string& kind) {
     if (known.name == kind) return;
     names += (names.empty() ? "" : ", ") + std::string(known.name);
   }
-  throw py::value_error("kind: " + names + "; not " + in_quotes(kind));
+  throw py::value_error("kind: " + names + "; not " + messages::in_quotes(kind));
 }
 
 std::string forecast_text(const Forecast& f) {
   return "<delone.Forecast: " + std::to_string(f.num_points) + " points in " + std::to_string(f.dimension) +
          "D, about " + shown(py::str("{:.3g}").format(f.cells.expected)) + " cells, " +
-         readable_bytes(f.bytes.expected) + ", " + readable_seconds(f.seconds.expected) + ">";
+         messages::readable_bytes(f.bytes.expected) + ", " + messages::readable_seconds(f.seconds.expected) +
+         ">";
 }
 
 py::tuple state_of_forecast(const Forecast& f) {
@@ -102,7 +105,7 @@ void bind_forecast(py::module_& module) {
         const unsigned most = as_threads(threads);
         require_kind(kind);
         Supervisor supervisor;
-        return supervisor.run([&] { return forecast(dimension, num_points, kind, most); });
+        return supervisor.run([&] { return forecast(dimension, num_points, kind, {.threads = most}); });
       },
       "dimension"_a, "num_points"_a, "kind"_a = "uniform", py::kw_only(), "threads"_a = 0,
       text(docs::forecasts::forecast));
@@ -110,7 +113,7 @@ void bind_forecast(py::module_& module) {
       "estimate",
       [](const py::object& points, int threads, double sample_seconds, const py::object& progress) {
         const auto rows = as_points(points, "points");
-        EstimateOptions options;
+        ForecastOptions options;
         options.threads = as_threads(threads);
         options.sample_seconds = sample_seconds;
         const int dimension = static_cast<int>(rows.shape(1));

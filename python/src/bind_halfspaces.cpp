@@ -63,7 +63,8 @@ class HeldIntersection {
 
   template <class Question>
   auto ask(Question question) const {
-    return guard_.ask([&] { return question(static_cast<const Polyhedron&>(*intersection_)); });
+    return guard_.ask(
+        [&] { return question(static_cast<const HalfspaceIntersectionBase&>(*intersection_)); });
   }
 
   void add(const py::object& halfspaces, const py::object& progress) {
@@ -80,7 +81,7 @@ class HeldIntersection {
 
   /// The arrays. Later insertions do not change them.
   std::shared_ptr<const IntersectionData> data() const {
-    return ask([this](const Polyhedron& intersection) {
+    return ask([this](const HalfspaceIntersectionBase& intersection) {
       const std::lock_guard lock(data_mutex_);
       if (!data_) data_ = std::make_shared<const IntersectionData>(intersection.to_data());
       return data_;
@@ -141,7 +142,7 @@ py::array kinds(const HeldIntersection& held) {
 }
 
 std::string repr(const HeldIntersection& held) {
-  return held.ask([](const Polyhedron& h) {
+  return held.ask([](const HalfspaceIntersectionBase& h) {
     std::string text = "<delone.HalfspaceIntersection: " + std::to_string(h.num_halfspaces()) +
                        " halfspaces in dimension " + std::to_string(h.dimension());
     if (h.state() != IntersectionState::full) return text + ", " + name_of(h.state()) + ">";
@@ -155,7 +156,7 @@ std::string repr(const HeldIntersection& held) {
 py::tuple sample(const HeldIntersection& held, std::size_t limit) {
   std::vector<double> ends;
   const auto d = static_cast<std::size_t>(held.dimension());
-  const std::size_t num_edges = held.ask([&](const Polyhedron& intersection) {
+  const std::size_t num_edges = held.ask([&](const HalfspaceIntersectionBase& intersection) {
     const IntersectionData& data = intersection.data();
     const std::size_t count = data.edges.size() / 2, step = count / std::max<std::size_t>(limit, 1) + 1;
     for (std::size_t i = 0; i < 2 * count; i += (i % 2 == 0 ? 1 : 2 * step - 1)) {
@@ -212,19 +213,24 @@ void bind_halfspaces(py::module_& module) {
            text(docs::halfspaces::insert_range));
   type.def_property_readonly("dimension", &HeldIntersection::dimension,
                              "The number d >= 1 of coordinates of a point.")
-      .def_property_readonly("rank", asking([](const Polyhedron& h) { return h.rank(); }),
+      .def_property_readonly("rank", asking([](const HalfspaceIntersectionBase& h) { return h.rank(); }),
                              text(docs::halfspaces::rank))
-      .def_property_readonly("state", asking([](const Polyhedron& h) { return name_of(h.state()); }),
+      .def_property_readonly("state",
+                             asking([](const HalfspaceIntersectionBase& h) { return name_of(h.state()); }),
                              "'full', 'flat' (some points, but none strictly inside) or 'empty'.")
-      .def_property_readonly("is_bounded", asking([](const Polyhedron& h) { return h.is_bounded(); }),
+      .def_property_readonly("is_bounded",
+                             asking([](const HalfspaceIntersectionBase& h) { return h.is_bounded(); }),
                              "Whether the intersection is a polytope: full, without directions and lines.")
-      .def_property_readonly("num_halfspaces", asking([](const Polyhedron& h) { return h.num_halfspaces(); }),
+      .def_property_readonly("num_halfspaces",
+                             asking([](const HalfspaceIntersectionBase& h) { return h.num_halfspaces(); }),
                              "The number m of input rows.")
-      .def_property_readonly("num_vertices", asking([](const Polyhedron& h) { return h.num_vertices(); }),
+      .def_property_readonly("num_vertices",
+                             asking([](const HalfspaceIntersectionBase& h) { return h.num_vertices(); }),
                              "The number v of vertices, all of which are finite.")
-      .def_property_readonly("num_facets", asking([](const Polyhedron& h) { return h.num_facets(); }),
+      .def_property_readonly("num_facets",
+                             asking([](const HalfspaceIntersectionBase& h) { return h.num_facets(); }),
                              "The number f of facets; also len().")
-      .def("__len__", asking([](const Polyhedron& h) { return h.num_facets(); }))
+      .def("__len__", asking([](const HalfspaceIntersectionBase& h) { return h.num_facets(); }))
       .def("_sample", &sample, "limit"_a)
       .def_property_readonly("columns", &HeldIntersection::columns,
                              "The labels of the columns of the DataFrame it was made of, d+1 in a tuple, or "
@@ -276,28 +282,29 @@ void bind_halfspaces(py::module_& module) {
       .def_property_readonly("dual_equations", &rows_of<&Data::dual_equations, 1>,
                              "The unit normal and offset of the facet of the dual points' hull for each "
                              "vertex, (v, d+1) float64, rounded.")
-      .def_property_readonly("volume", asking([](const Polyhedron& h) { return h.volume(); }),
+      .def_property_readonly("volume",
+                             asking([](const HalfspaceIntersectionBase& h) { return h.volume().value; }),
                              text(docs::halfspaces::volume))
       .def_property_readonly(
-          "dual_volume", asking([](const Polyhedron& h) { return h.dual_volume(); }),
+          "dual_volume", asking([](const HalfspaceIntersectionBase& h) { return h.dual_volume().value; }),
           "The volume of the hull of the dual points (and of the origin, if unbounded); NaN for k < d.")
       .def_property_readonly(
-          "dual_area", asking([](const Polyhedron& h) { return h.dual_area(); }),
+          "dual_area", asking([](const HalfspaceIntersectionBase& h) { return h.dual_area().value; }),
           "The surface area of the hull of the dual points (and of the origin, if unbounded); NaN for k < d.")
       .def_property_readonly(
           "statistics",
           [](const HeldIntersection& h) {
-            return as_dict(h.ask([](const Polyhedron& i) { return i.statistics(); }));
+            return as_dict(h.ask([](const HalfspaceIntersectionBase& i) { return i.statistics(); }));
           },
           text(docs::halfspaces::statistics))
       .def("_data",
            [](const HeldIntersection& h) {
-             return to_python(h.ask([](const Polyhedron& p) { return p.to_data(); }));
+             return to_python(h.ask([](const HalfspaceIntersectionBase& p) { return p.to_data(); }));
            })
       .def("__repr__", &repr)
       .def(py::pickle(&state_of_intersection, &restored_intersection));
   define_save(type, [](const HeldIntersection& held, const SaveArguments& to) {
-    held.ask([&](const Polyhedron& p) { to.save(p, [&] { return p.to_data(); }); });
+    held.ask([&](const HalfspaceIntersectionBase& p) { to.save(p, [&] { return p.to_data(); }); });
   });
   define_to_html(
       type, [](const HeldIntersection& h, const HtmlOptions& options) { return html_of(h.data(), options); });

@@ -4,6 +4,7 @@
 #include "data_members.hpp"
 #include "docs_lower_hull.hpp"
 #include "docstring.hpp"
+#include "messages/in_quotes.hpp"
 #include "module.hpp"
 #include "pickling.hpp"
 #include "running.hpp"
@@ -27,7 +28,7 @@ using namespace py::literals;
 HullSide side_of(const std::string& side) {
   if (side == "lower") return HullSide::lower;
   if (side == "upper") return HullSide::upper;
-  throw py::value_error("side: 'lower' or 'upper', not " + in_quotes(side));
+  throw py::value_error("side: 'lower' or 'upper', not " + messages::in_quotes(side));
 }
 
 /// A lower or upper hull, and its points; none of it changes.
@@ -49,7 +50,7 @@ class HeldLowerHull {
     });
   }
 
-  const Envelope& hull() const { return *hull_; }
+  const LowerHullBase& hull() const { return *hull_; }
   /// The labels of the columns of the DataFrame that it was made of, a tuple, or None.
   const py::object& columns() const { return columns_; }
   void set_columns(py::object columns) { columns_ = std::move(columns); }
@@ -207,7 +208,7 @@ void bind_lower_hull(py::module_& module) {
            })
       .def("__repr__",
            [](const Held& h) {
-             const Envelope& hull = h.hull();
+             const LowerHullBase& hull = h.hull();
              return std::string("<delone.LowerHull: the ") +
                     (hull.side() == HullSide::lower ? "lower" : "upper") + " hull of " +
                     std::to_string(hull.num_points()) + " points in dimension " +

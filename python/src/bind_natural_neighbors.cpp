@@ -25,14 +25,15 @@ class NeighborLists {
  public:
   explicit NeighborLists(std::size_t count) : of_query_(count) {}
   void find(const NaturalNeighborCoordinates& coordinates, const Triangulation& engine,
-            std::span<const double> queries, const LocateOptions& how) {
-    coordinates.find(queries, how, [&](std::size_t query, const NaturalNeighbors& found) {
+            std::span<const double> queries, const LocateOptions& options, unsigned threads) {
+    const auto put = [&](std::size_t query, const NaturalNeighbors& found) {
       cancellation_point();
       for (std::size_t i = 0; i < found.vertices.size(); ++i)
         of_query_[query].emplace_back(static_cast<SignedIndex>(engine.row_of(found.vertices[i])),
                                       found.weights[i]);
       std::sort(of_query_[query].begin(), of_query_[query].end());
-    });
+    };
+    coordinates.find(queries, options, put, false, {.threads = threads});
   }
   py::tuple arrays() const {
     std::vector<std::int64_t> offsets{0};
@@ -61,7 +62,7 @@ py::tuple natural_neighbors(const py::object& points, const py::object& object) 
   Supervisor supervisor;
   supervisor.run([&, x = queries.coordinates()] {
     held.with_engine([&](const Triangulation& engine) {
-      lists.find(NaturalNeighborCoordinates(engine), engine, x, {.threads = held.threads()});
+      lists.find(NaturalNeighborCoordinates(engine), engine, x, {}, held.threads());
     });
   });
   return lists.arrays();
@@ -104,7 +105,7 @@ class HeldNaturalInterpolator : public HeldFunction<NaturalNeighborInterpolator>
     const Queries queries(object, triangulation());
     NeighborLists lists(queries.size());
     run([&, x = queries.coordinates()](const Triangulation& engine) {
-      lists.find(function().coordinates(), engine, x, how_to_locate());
+      lists.find(function().coordinates(), engine, x, how_to_locate(), triangulation().threads());
     });
     return lists.arrays();
   }

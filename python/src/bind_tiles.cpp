@@ -105,13 +105,13 @@ py::dict check(const std::string& folder, const py::object& input, int level, bo
   CheckOptions options;
   options.up_to = level;
   options.canonical = canonical;
-  options.threads = BuildArguments{.threads = threads}.to_options().threads;
+  const Execution how{.threads = as_threads(threads)};
   const py::array_t<double> rows = input.is_none() ? py::array_t<double>() : as_points(input, "points");
   const int width = input.is_none() ? 0 : static_cast<int>(rows.shape(1));
   Supervisor supervisor(progress);
   const CheckReport report = supervisor.run([&] {
-    return input.is_none() ? check_tiles(folder, options)
-                           : check_tiles(folder, PointsView(numbers(rows), width), options);
+    return input.is_none() ? check_tiles(folder, options, how)
+                           : check_tiles(folder, PointsView(numbers(rows), width), options, how);
   });
   return py::dict("ok"_a = report.ok, "level"_a = report.reached.number,
                   "name"_a = std::string(report.reached.name), "violation"_a = report.violation,

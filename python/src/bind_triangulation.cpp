@@ -114,11 +114,12 @@ py::tuple vertex_neighbors(const Held& held) {
 
 /// Locates queries into arrays.
 void locate_into(const Held& held, const Queries& queries, double tolerance, const LocatedArrays& to) {
-  const LocateOptions options{.tolerance = tolerance, .threads = held.threads()};
+  const LocateOptions options{.tolerance = tolerance};
+  const Execution how{.threads = held.threads()};
   Supervisor supervisor;
   supervisor.run([&, x = queries.coordinates()] {
     held.with_locator([&](const Triangulation&, const PointLocator& locator, const Cells& cells) {
-      locator.locate(x, options, cells.numbers, to);
+      locator.locate(x, options, cells.numbers, to, how);
     });
   });
 }
@@ -135,12 +136,13 @@ py::object find_simplices(const Held& held, const py::object& object, double tol
 
 py::object locate(const Held& held, const py::object& object, double tolerance) {
   const Queries queries(object, held);
-  const LocateOptions options{.tolerance = tolerance, .threads = held.threads()};
+  const LocateOptions options{.tolerance = tolerance};
+  const Execution how{.threads = held.threads()};
   LocatedPoints found;
   Supervisor supervisor;
   supervisor.run([&, x = queries.coordinates()] {
     held.with_locator([&](const Triangulation&, const PointLocator& locator, const Cells& cells) {
-      found = locator.locate(x, options, cells.numbers);
+      found = locator.locate(x, options, cells.numbers, how);
     });
   });
   std::vector<std::uint8_t> kinds(found.kinds.size());
@@ -282,19 +284,17 @@ template <class Visit>
 void visit_nearest(const PointLocator& locator, std::span<const double> queries, std::optional<std::size_t> k,
                    unsigned threads, Visit visit) {
   if (!k)
-    locator.nearest(
-        queries,
-        [&](std::size_t query, VertexId v) {
-          if (v != invalid_vertex) visit(query, 0, v);
-        },
-        threads);
+    locator.nearest(queries,
+                    [&](std::size_t query, VertexId v) {
+                      if (v != invalid_vertex) visit(query, 0, v);
+                    },
+                    {.threads = threads});
   else
-    locator.nearest(
-        queries, *k,
-        [&](std::size_t query, std::span<const VertexId> found) {
-          for (std::size_t rank = 0; rank < found.size(); ++rank) visit(query, rank, found[rank]);
-        },
-        threads);
+    locator.nearest(queries, *k,
+                    [&](std::size_t query, std::span<const VertexId> found) {
+                      for (std::size_t rank = 0; rank < found.size(); ++rank) visit(query, rank, found[rank]);
+                    },
+                    {.threads = threads});
 }
 
 py::tuple nearest(const Held& held, const py::object& object, std::optional<py::ssize_t> k) {
@@ -406,7 +406,7 @@ void bind_triangulations(py::module_& module) {
       .def_property_readonly(
           "hash",
           [](const Held& h) {
-            return ask(h, [&](const Triangulation& t) { return t.hash(h.threads()).hex(); });
+            return ask(h, [&](const Triangulation& t) { return t.hash({.threads = h.threads()}).hex(); });
           },
           text(docs::triangulation::hash))
       .def_property_readonly("statistics", &statistics, text(docs::triangulation::statistics))

@@ -29,7 +29,8 @@ class HeldDiagram {
     threads_ = source.threads();
     columns_ = source.columns();
     index_ = source.row_index();
-    const DiagramOptions options{.tolerance = tolerance, .threads = threads_};
+    const DiagramOptions options{.tolerance = tolerance};
+    const Execution how{.threads = threads_};
     Supervisor supervisor;
     for (std::uint64_t version = source.version() + 1;
          version != source.version();) {  // until no other thread adds points
@@ -38,12 +39,12 @@ class HeldDiagram {
       supervisor.run([&] {
         source.with_engine([&](const Triangulation& engine) {
           if (source.form() == Form::regular)
-            diagram_ = std::make_shared<PowerDiagram<>>(static_cast<const Regular<>&>(engine), options);
+            diagram_ = std::make_shared<PowerDiagram<>>(static_cast<const Regular<>&>(engine), options, how);
           else if (source.form() == Form::furthest_site)
             diagram_ =
-                std::make_shared<FurthestVoronoi<>>(static_cast<const FurthestSite<>&>(engine), options);
+                std::make_shared<FurthestVoronoi<>>(static_cast<const FurthestSite<>&>(engine), options, how);
           else
-            diagram_ = std::make_shared<Voronoi<>>(static_cast<const Delaunay<>&>(engine), options);
+            diagram_ = std::make_shared<Voronoi<>>(static_cast<const Delaunay<>&>(engine), options, how);
         });
         points_ = source.points();
         weights_ = source.weights();
@@ -110,8 +111,8 @@ py::array region_volumes(const HeldDiagram& held, const py::object& object) {
   const std::optional<Box> box = as_box(object);
   Supervisor supervisor;
   return list_view(supervisor.run([&] {
-    return box ? held.diagram().region_volumes(*box, held.threads())
-               : held.diagram().region_volumes(held.threads());
+    return box ? held.diagram().region_volumes(*box, {.threads = held.threads()})
+               : held.diagram().region_volumes({.threads = held.threads()});
   }));
 }
 
@@ -269,7 +270,8 @@ void bind_voronoi(py::module_& module) {
           "ridge_volumes",
           [](const HeldDiagram& h) {
             Supervisor supervisor;
-            return list_view(supervisor.run([&] { return h.diagram().ridge_volumes(h.threads()); }));
+            return list_view(
+                supervisor.run([&] { return h.diagram().ridge_volumes({.threads = h.threads()}); }));
           },
           text(docs::voronoi::ridge_volumes))
       .def(

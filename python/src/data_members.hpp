@@ -5,12 +5,12 @@
 
 #include "arrays.hpp"
 #include "messages.hpp"
+#include "messages/in_quotes.hpp"
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
 #include <delone/data.hpp>
-#include <delone/printable.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -225,7 +225,8 @@ class FromDict {
     if (given.is_none()) return;
     const auto text = given.cast<std::string>();
     const auto known = find_data_kind(text);
-    if (!known) throw py::value_error(std::string(name) + ": " + in_quotes(text) + " is no kind of data");
+    if (!known)
+      throw py::value_error(std::string(name) + ": " + messages::in_quotes(text) + " is no kind of data");
     kind = *known;
   }
   void operator()(const char*, const DataKind&) const {}  // of a type of one kind

@@ -2,6 +2,7 @@
 // The exceptions of the module, each derived also from the built-in exception that fits best; options and
 // statistics.
 #include "messages.hpp"
+#include "messages/in_quotes.hpp"
 #include "running.hpp"
 
 #include <algorithm>
@@ -92,7 +93,7 @@ Options BuildArguments::to_options() const {
   else if (order == "as_given")
     options.order = InsertionOrder::as_given;
   else if (order != "automatic")
-    throw py::value_error("order: 'automatic', 'as_given' or 'shuffled', not " + in_quotes(order));
+    throw py::value_error("order: 'automatic', 'as_given' or 'shuffled', not " + messages::in_quotes(order));
   options.threads = as_threads(threads);
   options.memory_limit = memory_limit;
   options.time_limit = time_limit;

@@ -7,6 +7,7 @@
 #include "docs_interpolation.hpp"
 #include "docstring.hpp"
 #include "messages.hpp"
+#include "messages/in_quotes.hpp"
 #include "triangulation.hpp"
 
 #include <delone/interpolation.hpp>
@@ -28,7 +29,7 @@ inline constexpr const char* outside_names[] = {"fill", "nearest", "error", "pro
 inline Outside outside_of(const std::string& name) {
   for (std::size_t i = 0; i < std::size(outside_names); ++i)
     if (name == outside_names[i]) return static_cast<Outside>(i);
-  throw py::value_error("outside: 'fill', 'nearest', 'error' or 'project', not " + in_quotes(name));
+  throw py::value_error("outside: 'fill', 'nearest', 'error' or 'project', not " + messages::in_quotes(name));
 }
 
 inline double checked_tolerance(double tolerance) {
@@ -59,7 +60,9 @@ class HeldFunction {
     auto shape = shape_of(queries);
     shape.push_back(triangulation().dimension());
     std::vector<double> parts(queries.coordinates().size() * parts_);
-    run([&, x = queries.coordinates()](const Triangulation&) { function_->gradients(x, parts, options()); });
+    run([&, x = queries.coordinates()](const Triangulation&) {
+      function_->gradients(x, parts, options(), how());
+    });
     return gradients_of_parts(parts, shape);
   }
 
@@ -69,9 +72,7 @@ class HeldFunction {
   const py::object& fill() const { return fill_; }
   double tolerance() const { return tolerance_; }
   LocateOptions how_to_locate() const {
-    return {.tolerance = tolerance_,
-            .project = outside_ == Outside::project,
-            .threads = triangulation().threads()};
+    return {.tolerance = tolerance_, .project = outside_ == Outside::project};
   }
 
  protected:
@@ -166,11 +167,12 @@ class HeldFunction {
     }
     if (outside_ != Outside::fill && !std::isnan(number.real))
       throw py::value_error("fill_value: only with outside='fill', not with " +
-                            in_quotes(outside_names[static_cast<int>(outside_)]));
+                            messages::in_quotes(outside_names[static_cast<int>(outside_)]));
   }
 
+  Execution how() const { return {.threads = triangulation().threads()}; }
   EvaluateOptions options(std::span<const double> fill = {}) const {
-    return {.outside = outside_, .fill = fill, .tolerance = tolerance_, .threads = triangulation().threads()};
+    return {.outside = outside_, .fill = fill, .tolerance = tolerance_};
   }
 
   std::vector<py::ssize_t> shape_of(const Queries& queries) const {
@@ -189,7 +191,7 @@ class HeldFunction {
     for (std::size_t i = 0; i < parts_; i += sizeof(T) / sizeof(double))
       std::memcpy(constants.data() + i, &fill, sizeof(T));
     run([&, x = queries.coordinates()](const Triangulation&) {
-      function_->evaluate(x, out, options(constants));
+      function_->evaluate(x, out, options(constants), how());
     });
     return Queries::scalar_if_single(result);
   }

@@ -60,7 +60,7 @@ void HeldTriangulation::add(std::span<const double> coordinates, std::span<const
 void HeldTriangulation::edit(const Edit<>& edit) {
   const Use use(this, "changed");
   const std::unique_lock lock(mutex_);
-  if (edit.remove.empty() && edit.move.empty() && edit.weigh.empty() && edit.insert.coordinates().empty())
+  if (edit.remove.empty() && edit.move.empty() && edit.reweight.empty() && edit.insert.coordinates().empty())
     return;
   prepare_change();
   std::visit([&](auto& product) { product.edit(edit); }, *engine_);
@@ -153,10 +153,10 @@ void HeldTriangulation::keep_changes() noexcept {
     std::vector<bool>& is_infinite = *is_infinite_;
     is_infinite.resize(std::max<std::size_t>(is_infinite.size(), complex.num_cell_slots()));
     const auto of_infinite_cell = [&](CellId c) { return is_infinite[index(c)]; };
-    std::erase_if(changes->killed, of_infinite_cell);
-    for (const CellId c : common(*engine_).changes().killed) is_infinite[index(c)] = false;
-    for (const CellId c : changes->born) is_infinite[index(c)] = complex.is_infinite(c);
-    std::erase_if(changes->born, of_infinite_cell);
+    std::erase_if(changes->removed_cells, of_infinite_cell);
+    for (const CellId c : common(*engine_).changes().removed_cells) is_infinite[index(c)] = false;
+    for (const CellId c : changes->created_cells) is_infinite[index(c)] = complex.is_infinite(c);
+    std::erase_if(changes->created_cells, of_infinite_cell);
     changes_ = std::move(changes);
   } catch (const std::bad_alloc&) {
     changes_.reset();

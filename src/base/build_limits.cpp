@@ -3,9 +3,9 @@
 
 #include "base/platform.hpp"
 #include "base/require_tolerance.hpp"
+#include "messages/readable.hpp"
 
 #include <delone/error.hpp>
-#include <delone/readable.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -70,14 +70,14 @@ bool BuildLimits::look(double fraction) {
     passed_.push_back(last_);
   if (memory_ > 0 && last_.bytes > near_limit()) throw_at_memory();
   if (seconds_ > 0 && last_.seconds > seconds_)
-    throw Error(Errc::time_limit, message(readable_seconds(seconds_)));
+    throw Error(Errc::time_limit, message(messages::readable_seconds(seconds_)));
   return true;
 }
 
 double BuildLimits::near_limit() const { return static_cast<double>(memory_ - margin(memory_)); }
 
 void BuildLimits::throw_at_memory() {
-  throw Error(Errc::out_of_memory, message(readable_bytes(static_cast<double>(memory_))));
+  throw Error(Errc::out_of_memory, message(messages::readable_bytes(static_cast<double>(memory_))));
 }
 
 WholeCost BuildLimits::whole() const {
@@ -107,13 +107,13 @@ std::string BuildLimits::message(const std::string& limit) const {
     text += std::string(" with less than 1 % of the ") + items_ + " inserted";
   const WholeCost cost = whole();
   if (cost.seconds > 0)
-    text += "; the whole would have taken about " + readable_bytes(cost.bytes) + " and " +
-            readable_seconds(cost.seconds);
+    text += "; the whole would have taken about " + messages::readable_bytes(cost.bytes) + " and " +
+            messages::readable_seconds(cost.seconds);
   if (cost.seconds > 0 && memory_ > 0) {
     // Not below the limit that was too low, and so rough that it has to differ from it in its words.
     const double least = last_.bytes > near_limit() ? 1.1 * static_cast<double>(memory_) : 0;
-    text += ", for which a limit of memory of " + readable_bytes(std::max(limit_for(cost.bytes), least)) +
-            " would do";
+    text += ", for which a limit of memory of " +
+            messages::readable_bytes(std::max(limit_for(cost.bytes), least)) + " would do";
   }
   return text;
 }

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <delone/config.hpp>
-#include <delone/prefetch.hpp>
 
 #include <array>
 #include <cstddef>
@@ -25,15 +24,17 @@
 
 namespace delone::internal {
 
-/// Lets the processor fetch the cache line of an address, to be written soon. No effect on results.
+/// Asks the processor to load the cache line of an address, which will be read or written soon. Any address
+/// may be given. No effect on results.
 #if DELONE_GNU_COMPILER
+[[gnu::always_inline]] inline void prefetch(const void* address) { __builtin_prefetch(address); }
 [[gnu::always_inline]] inline void prefetch_for_writing(const void* address) {
   __builtin_prefetch(address, 1);
 }
 #else
-inline void prefetch_for_writing(const void* address) { internal::prefetch(address); }
+inline void prefetch(const void*) {}
+inline void prefetch_for_writing(const void*) {}
 #endif
-using internal::prefetch;
 
 /// The bytes of a word in reverse order.
 constexpr std::uint64_t byte_swap(std::uint64_t x) {

@@ -238,17 +238,16 @@ std::string other_meaning(const ComplexData& data, const CheckReport& report) {
 
 }  // namespace
 
-CheckReport check_lifted(const ComplexData& data, const CheckOptions& options, Lift lift,
+CheckReport check_lifted(const ComplexData& data, const CheckOptions& options, unsigned threads, Lift lift,
                          std::span<const CheckLevel> levels) {
-  Examined examined{data, static_cast<std::size_t>(std::max(0, data.affine_dimension + 1)), lift,
-                    options.threads};
+  Examined examined{data, static_cast<std::size_t>(std::max(0, data.affine_dimension + 1)), lift, threads};
   Volumes volumes;
   // No points, no cells: the empty complex is a sphere of dimension −1, and nothing else is left to hold.
   const bool is_empty = data.affine_dimension < 0;
   CheckReport found = run_levels(
       levels, options,
       [&](CheckReport&) {
-        check_storage(data, lift != Lift::paraboloid, options.threads);
+        check_storage(data, lift != Lift::paraboloid, threads);
         examined.weighted_rows = weighted_rows(data);
       },
       [&](CheckReport&) {

@@ -7,6 +7,7 @@
 // polyhedron, so it is the edge's other end; a listed direction on these rows is u. The graph of a polyhedron
 // with a vertex is connected, and every extreme direction is that of a ray: if all edges of all listed
 // vertices are listed, all vertices and directions are.
+#include "base/progress_meter.hpp"
 #include "check/levels.hpp"
 #include "halfspaces/halfspace_dual.hpp"
 #include "halfspaces/halfspace_vertex.hpp"
@@ -404,7 +405,8 @@ class IntersectionChecker {
 
 }  // namespace
 
-CheckReport check(const IntersectionData& data, const CheckOptions& options) {
+CheckReport check(const IntersectionData& data, const CheckOptions& options, const Execution& how) {
+  const internal::ProgressMeter meter(how.progress);
   return IntersectionChecker(data).check(options);
 }
 

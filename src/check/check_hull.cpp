@@ -183,8 +183,9 @@ void check_support(ExaminedHull& examined) {
 }  // namespace
 }  // namespace internal
 
-CheckReport check(const HullData& data, const CheckOptions& options) {
+CheckReport check(const HullData& data, const CheckOptions& options, const Execution& how) {
   using namespace internal;
+  const ProgressMeter meter(how.progress);
   ComplexData boundary;  // cells of k vertices: a complex of dimension k−1
   boundary.dimension = data.dimension;
   boundary.affine_dimension = std::max(data.affine_dimension - 1, -1);

@@ -183,14 +183,14 @@ void check_rows_of_part(const ComplexData& data, const ComplexData& whole) {
   }
 }
 
-ComplexData whole_of(const ComplexData& data, TriangulationKind kind, const CheckOptions& options) {
-  const AnyTriangulation made = remade(data, kind, options.threads);
+ComplexData whole_of(const ComplexData& data, TriangulationKind kind, unsigned threads) {
+  const AnyTriangulation made = remade(data, kind, threads);
   return common(made).to_data();
 }
 
-void check_part(const ComplexData& data, const CheckOptions& options) {
+void check_part(const ComplexData& data, const CheckOptions& options, unsigned threads) {
   ComplexData whole = whole_of(
-      data, data.weights.empty() ? TriangulationKind::delaunay : TriangulationKind::regular, options);
+      data, data.weights.empty() ? TriangulationKind::delaunay : TriangulationKind::regular, threads);
   const auto examine = [&] {
     if (whole.affine_dimension != data.affine_dimension)
       throw Violation{fmt::format("the affine dimension is given as {}, but the points span {}",
@@ -202,7 +202,7 @@ void check_part(const ComplexData& data, const CheckOptions& options) {
   try {
     examine();
   } catch (const Violation& violation) {
-    whole = whole_of(data, TriangulationKind::furthest_site, options);
+    whole = whole_of(data, TriangulationKind::furthest_site, threads);
     try {  // furthest-site triangulations can be trimmed, too
       examine();
     } catch (const Violation&) {
@@ -211,19 +211,18 @@ void check_part(const ComplexData& data, const CheckOptions& options) {
   }
 }
 
-CheckReport check_part_levels(const ComplexData& data, const CheckOptions& options) {
-  Examined examined{data, static_cast<std::size_t>(data.affine_dimension + 1), Lift::paraboloid,
-                    options.threads};
+CheckReport check_part_levels(const ComplexData& data, const CheckOptions& options, unsigned threads) {
+  Examined examined{data, static_cast<std::size_t>(data.affine_dimension + 1), Lift::paraboloid, threads};
   CheckReport report = run_levels(
       levels_of_part, options,
       [&](CheckReport&) {
         check_kind(data);
-        check_storage(data, true, options.threads);
+        check_storage(data, true, threads);
       },
       [&](CheckReport&) {
         if (data.affine_dimension >= 0) check_incidence(examined, options.oriented);
       },
-      [&](CheckReport&) { check_part(data, options); });
+      [&](CheckReport&) { check_part(data, options, threads); });
   report.not_examined = data.kind == DataKind::trimmed
                             ? "which cells are left: the data do not hold the tolerance"
                             : "which cells belong to it: the data do not hold the radius";
@@ -269,12 +268,12 @@ void check_closed(const ComplexData& data, bool oriented) {
   }
 }
 
-CheckReport check_boundary_levels(const ComplexData& data, const CheckOptions& options) {
+CheckReport check_boundary_levels(const ComplexData& data, const CheckOptions& options, unsigned threads) {
   CheckReport report = run_levels(
       levels_of_boundary, options,
       [&](CheckReport&) {
         check_kind(data);
-        check_storage(data, true, options.threads);
+        check_storage(data, true, threads);
       },
       [&](CheckReport&) {
         if (data.affine_dimension >= 0) check_closed(data, options.oriented);
@@ -309,33 +308,34 @@ void require_options(const ComplexData& data, const CheckOptions& options) {
 }  // namespace
 }  // namespace internal
 
-CheckReport check(const ComplexData& data, const CheckOptions& options) {
+CheckReport check(const ComplexData& data, const CheckOptions& options, const Execution& how) {
   using namespace internal;
+  const ProgressMeter meter(how.progress);
   require_options(data, options);
   if (std::optional<CheckReport> wrong = check_fit(data, options)) return *std::move(wrong);
   switch (data.kind) {
     case DataKind::alpha_complex:
     case DataKind::trimmed:
-      return check_part_levels(data, options);
+      return check_part_levels(data, options, how.threads);
     case DataKind::alpha_boundary:
-      return check_boundary_levels(data, options);
+      return check_boundary_levels(data, options, how.threads);
     case DataKind::hull_boundary: {
       CheckOptions of_hull;
       of_hull.up_to = options.up_to;
-      of_hull.threads = options.threads;
-      return check(as_hull(data), of_hull);
+      return check(as_hull(data), of_hull, how);
     }
     case DataKind::lower_hull:
     case DataKind::upper_hull:
       // The sizes first: what is made of them relies on them.
       if (data.points.size() % static_cast<std::size_t>(data.dimension) == 0)
-        return check_lifted(over_compositions(data), options, Lift::heights, check_levels(data.kind));
+        return check_lifted(over_compositions(data), options, how.threads, Lift::heights,
+                            check_levels(data.kind));
       break;
     default:
       break;
   }
   const bool furthest = options.furthest_site || data.kind == DataKind::furthest_site;
-  return check_lifted(data, options, furthest ? Lift::inverted : Lift::paraboloid,
+  return check_lifted(data, options, how.threads, furthest ? Lift::inverted : Lift::paraboloid,
                       check_levels(furthest ? DataKind::furthest_site : data.kind));
 }
 

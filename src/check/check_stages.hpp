@@ -28,7 +28,7 @@ struct Examined {
   const ComplexData& data;
   std::size_t corners;  ///< k+1, vertices of a cell
   Lift lift = Lift::paraboloid;
-  unsigned threads = 1;  ///< as CheckOptions::threads
+  unsigned threads = 1;  ///< as Execution::threads
   /// For weighted points: each point and then its weight. Filled after level 1.
   std::vector<double> weighted_rows{};
 
@@ -118,7 +118,7 @@ void check_hidden(const Examined& examined, const Volumes& volumes, std::span<co
 void check_completeness(const Examined& examined, const Volumes& volumes, bool canonical);
 
 /// All six levels, under these names.
-CheckReport check_lifted(const ComplexData& data, const CheckOptions& options, Lift lift,
+CheckReport check_lifted(const ComplexData& data, const CheckOptions& options, unsigned threads, Lift lift,
                          std::span<const CheckLevel> levels);
 
 }  // namespace delone::internal

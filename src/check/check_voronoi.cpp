@@ -67,11 +67,11 @@ class DiagramChecker {
   explicit DiagramChecker(const VoronoiData& data)
       : data_(data), d_(static_cast<std::size_t>(std::max(data.dimension, 0))) {}
 
-  CheckReport check(const CheckOptions& options) {
+  CheckReport check(const CheckOptions& options, unsigned threads) {
     return internal::run_levels<VoronoiData>(
         options, [&](CheckReport&) { check_storage(); },
         [&](CheckReport&) {
-          make_diagram(options);
+          make_diagram(threads);
           check_regions();
         },
         [&](CheckReport&) { check_vertices(); }, [&](CheckReport&) { check_ridges(); },
@@ -81,7 +81,7 @@ class DiagramChecker {
  private:
   void check_kind() const;
   void check_storage() const;
-  void make_diagram(const CheckOptions& options);
+  void make_diagram(unsigned threads);
   void check_regions();
   void check_vertices() const;
   void check_ridges() const;
@@ -193,18 +193,19 @@ void DiagramChecker::check_storage() const {
   in_range("ray_vertices", a.ray_vertices, a.num_vertices(), 0);
 }
 
-void DiagramChecker::make_diagram(const CheckOptions& options) {
-  const DiagramOptions how{.tolerance = data_.tolerance, .threads = options.threads};
+void DiagramChecker::make_diagram(unsigned threads) {
+  const DiagramOptions options{.tolerance = data_.tolerance};
+  const Execution how{.threads = threads};
   const TriangulationKind kind = is_furthest()           ? TriangulationKind::furthest_site
                                  : data_.weights.empty() ? TriangulationKind::delaunay
                                                          : TriangulationKind::regular;
-  const internal::AnyTriangulation made = internal::remade(data_, kind, options.threads);
+  const internal::AnyTriangulation made = internal::remade(data_, kind, threads);
   if (const auto* const delaunay = std::get_if<Delaunay<>>(&made))
-    diagram_ = &any_.emplace<Voronoi<>>(*delaunay, how);
+    diagram_ = &any_.emplace<Voronoi<>>(*delaunay, options, how);
   else if (const auto* const regular = std::get_if<Regular<>>(&made))
-    diagram_ = &any_.emplace<PowerDiagram<>>(*regular, how);
+    diagram_ = &any_.emplace<PowerDiagram<>>(*regular, options, how);
   else
-    diagram_ = &any_.emplace<FurthestVoronoi<>>(std::get<FurthestSite<>>(made), how);
+    diagram_ = &any_.emplace<FurthestVoronoi<>>(std::get<FurthestSite<>>(made), options, how);
 }
 
 void DiagramChecker::check_regions() {
@@ -385,8 +386,9 @@ void DiagramChecker::check_rays() const {
 
 }  // namespace
 
-CheckReport check(const VoronoiData& data, const CheckOptions& options) {
-  return DiagramChecker(data).check(options);
+CheckReport check(const VoronoiData& data, const CheckOptions& options, const Execution& how) {
+  const internal::ProgressMeter meter(how.progress);
+  return DiagramChecker(data).check(options, how.threads);
 }
 
 }  // namespace delone

@@ -54,9 +54,7 @@ AnyTriangulation remade(const Data& data, TriangulationKind kind, unsigned threa
   };
   AnyTriangulation made = make();
   std::visit([&](auto& one) { one.remove(removed); }, made);
-  CheckOptions how;
-  how.threads = threads;
-  const CheckReport report = check(common(made).to_data(), how);
+  const CheckReport report = check(common(made).to_data(), {}, {.threads = threads});
   if (!report.ok)
     throw Error(Errc::unsupported,
                 "the triangulation of the points is wrong, a fault of delone: " + report.violation);

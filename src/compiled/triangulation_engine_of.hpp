@@ -156,7 +156,7 @@ class TriangulationEngineOf final : public EngineOf<TriangulationEngine, geometr
     try {
       const engine::Change change = relocation.relocate(v, cell);
       if (change.is_done())
-        note_renewed(change.gone);
+        note_renewed(change.removed_cells);
       else
         take_back();
       return change;

@@ -67,15 +67,14 @@ std::vector<complex::PointTag> weighted_tags(const ComplexData& data, complex::H
 
 }  // namespace
 
-CanonicalHash canonical_hash(const ComplexData& data) { return canonical_hash(data, 1); }
-
-CanonicalHash canonical_hash(const ComplexData& data, unsigned threads) {
+CanonicalHash canonical_hash(const ComplexData& data, const Execution& how) {
+  const internal::ProgressMeter meter(how.progress);
   const std::size_t n = data.num_points();
   std::vector<complex::PointTag> tags(n);
   complex::HashAccumulator hash;
   if (data.weights.empty()) {
     internal::for_parts(
-        threads, n, 16384, [&](std::size_t first, std::size_t last, const internal::StopPoint&) {
+        how.threads, n, 16384, [&](std::size_t first, std::size_t last, const internal::StopPoint&) {
           for (std::size_t row = first; row < last; ++row)
             tags[row] = complex::point_tag(
                 data.points.data() + row * static_cast<std::size_t>(data.dimension), data.dimension);
@@ -108,7 +107,7 @@ CanonicalHash canonical_hash(const ComplexData& data, unsigned threads) {
       some.add_cell(sum);
     }
   };
-  complex::add_in_parts(threads, data.num_cells(), hash, add_cells);
+  complex::add_in_parts(how.threads, data.num_cells(), hash, add_cells);
   return hash.finish(data.dimension, data.affine_dimension);
 }
 

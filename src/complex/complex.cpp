@@ -2,6 +2,9 @@
 // Traversals of the read-only complex: stars, links, faces. Nothing is written to the complex, so that any
 // number of threads may traverse it; sets of visited cells are local.
 #include <delone/complex.hpp>
+
+#include "base/compiler.hpp"
+
 #include <delone/error.hpp>
 
 #include <algorithm>
@@ -73,6 +76,8 @@ std::vector<Facet> Complex::link(VertexId v) const {
   for (const CellId c : star(v)) facets.push_back({c, index_of(c, v)});
   return facets;
 }
+
+void Complex::prefetch(CellId c) const { internal::prefetch(row(c)); }
 
 std::vector<VertexId> Complex::adjacent_vertices(VertexId v) const {
   std::vector<VertexId> result;

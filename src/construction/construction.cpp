@@ -166,38 +166,38 @@ void Construction::note_all_visibility(std::span<const CellId> before) {
 Changes Construction::changes_since(const State& state, const Record& record) {
   Changes made;
   if (state.engine && !record.has_other_engine) {
-    if (record.engine_has_log) find_changed_cells(*state.engine, made.killed, made.born);
+    if (record.engine_has_log) find_changed_cells(*state.engine, made.removed_cells, made.created_cells);
   } else if (state.engine || record.engine ||
              state.affine_hull.dimension() != record.affine_hull.dimension() ||
              state.single_links[0] != record.only_vertex || !record.sites.moved.empty()) {
-    made.killed = cells_before(record);
-    for (const CellId c : state.complex().all_cells()) made.born.push_back(c);
+    made.removed_cells = cells_before(record);
+    for (const CellId c : state.complex().all_cells()) made.created_cells.push_back(c);
   }
   const auto is_gone = [&](Index v) { return !state.sites.has_rows(v); };
   const auto was_there = [&](Index v) { return v < record.sites.num_ids; };
   for (Index v = record.sites.num_ids; v < state.sites.num_ids(); ++v)
-    if (!is_gone(v)) made.came.push_back(VertexId{v});
+    if (!is_gone(v)) made.added_vertices.push_back(VertexId{v});
   for (const sites::Journal::MovedRow& moved : record.sites.rows)
     if (moved.before != invalid_vertex && was_there(index(moved.before)) && is_gone(index(moved.before)))
-      made.gone.push_back(moved.before);
+      made.removed_vertices.push_back(moved.before);
   std::vector<std::pair<Index, bool>> seen = record.were_visible;
   std::stable_sort(seen.begin(), seen.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const auto [v, was_visible] = seen[i];
     const bool is_first = i == 0 || seen[i - 1].first != v;
     if (is_first && was_there(v) && !is_gone(v) && was_visible != state.is_visible(v))
-      (was_visible ? made.hid : made.reappeared).push_back(VertexId{v});
+      (was_visible ? made.hidden_vertices : made.reappeared_vertices).push_back(VertexId{v});
   }
   for (const Index v : record.sites.moved)
-    if (!is_gone(v)) made.moved.push_back(VertexId{v});
+    if (!is_gone(v)) made.moved_vertices.push_back(VertexId{v});
   const auto sort = [](auto& ids) {
     if (!std::is_sorted(ids.begin(), ids.end())) std::sort(ids.begin(), ids.end());
     ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   };
-  sort(made.killed);
-  sort(made.born);
-  sort(made.gone);
-  sort(made.moved);
+  sort(made.removed_cells);
+  sort(made.created_cells);
+  sort(made.removed_vertices);
+  sort(made.moved_vertices);
   return made;
 }
 

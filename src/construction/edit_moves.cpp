@@ -122,7 +122,7 @@ bool Editing::move_all_in_place() {
     restore_points(first);
     return false;
   }
-  state_.update_cells(change.made);
+  state_.update_cells(change.created_cells);
   state_.landmarks.reset();
   std::vector<std::uint8_t> is_placed_now(placements_.size(), 0);
   for (const Leaving& leaving : leaving_)
@@ -155,8 +155,8 @@ void Editing::move_some_in_place() {
       continue;
     }
     if (state_.hidden_points)
-      for (const Index changed : change.gone) state_.hidden_points->take(changed, freed_);
-    state_.update_cells(change.made);
+      for (const Index changed : change.removed_cells) state_.hidden_points->take(changed, freed_);
+    state_.update_cells(change.created_cells);
     is_placed_now[leaving.placement] = 1;
     tick();
   }

@@ -84,10 +84,10 @@ std::optional<Index> Editing::take_out(Index v) {
     return invalid_index;
   }
   if (state_.hidden_points)
-    for (const Index cell : change.gone) state_.hidden_points->take(cell, freed_);
-  state_.update_cells(change.made);
+    for (const Index cell : change.removed_cells) state_.hidden_points->take(cell, freed_);
+  state_.update_cells(change.created_cells);
   const Complex now = state_.complex();
-  const CellId any{change.made.front()};
+  const CellId any{change.created_cells.front()};
   const VertexId first = now.vertex(any, 0);
   const Index near = index(first != infinite_vertex ? first : now.vertex(any, 1));
   state_.cell_of_vertex[v] = invalid_cell;

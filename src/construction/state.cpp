@@ -63,7 +63,7 @@ Index State::place(Index v, Index start) {
   if (change.is_done()) {
     note_visibility(v);
     for (const Index swallowed : change.swallowed) note_visibility(swallowed);
-    update_cells(change.made);
+    update_cells(change.created_cells);
     for (const Index swallowed : change.swallowed) cell_of_vertex[swallowed] = invalid_cell;
     num_vertices += 1 - static_cast<Index>(change.swallowed.size());
   }
@@ -125,8 +125,8 @@ void State::hide(Index v, Index start) {
 void State::rehome_hidden_points(const engine::Change& change) {
   if (!hidden_points) return;
   std::vector<Index> homeless(change.swallowed.begin(), change.swallowed.end());
-  for (const Index cell : change.gone) hidden_points->take(cell, homeless);
-  for (const Index v : homeless) hide(v, change.made.front());
+  for (const Index cell : change.removed_cells) hidden_points->take(cell, homeless);
+  for (const Index v : homeless) hide(v, change.created_cells.front());
 }
 
 void State::update_cells(std::span<const Index> made) {

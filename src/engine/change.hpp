@@ -22,9 +22,10 @@ enum class Outcome : std::uint8_t {
 /// are to be put back, or given up. The spans hold until the next operation.
 struct Change {
   Outcome outcome = Outcome::done;
-  Index vertex = invalid_index;           ///< of an insertion: the vertex that is at the point now
-  std::span<const Index> gone = {};       ///< the cells that gave way, or whose vertex has moved; some twice
-  std::span<const Index> made = {};       ///< the cells that were made, some in the slots of those
+  Index vertex = invalid_index;  ///< of an insertion: the vertex that is at the point now
+  std::span<const Index> removed_cells =
+      {};  ///< the cells that gave way, or whose vertex has moved; some twice
+  std::span<const Index> created_cells = {};  ///< the new cells, some in the slots of those
   std::span<const Index> swallowed = {};  ///< the vertices that an insertion took all cells from, if tracked
 
   bool is_done() const { return outcome == Outcome::done; }

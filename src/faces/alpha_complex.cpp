@@ -23,15 +23,15 @@ namespace delone {
 using sites::VertexPoints;
 
 struct AlphaComplex::Impl {
-  Impl(const Triangulation& t, internal::SquareBound b, const FaceOptions& options)
+  Impl(const Triangulation& t, internal::SquareBound b, const Execution& how)
       : triangulation(&t), bound(std::move(b)), k(t.affine_dimension()) {
     internal::require_alpha(t);
     internal::guarded("the alpha complex", [&] {
-      const internal::ProgressMeter meter(options.progress);
+      const internal::ProgressMeter meter(how.progress);
       unit = internal::unit_of(t);
       if (k < 0) return;
-      find_cells(options.threads);
-      find_boundary(options.threads);
+      find_cells(how.threads);
+      find_boundary(how.threads);
     });
   }
 
@@ -40,7 +40,7 @@ struct AlphaComplex::Impl {
   enum class Conflict : unsigned char { no, yes, unknown };
   Conflict known_conflict(CellId cell, int apex) const;
   bool has_no_conflict(internal::Orthospheres& of_cells, CellId c, int i) const;
-  Faces faces(int j, const FaceOptions& options) const;
+  Faces faces(int j, const Execution& how) const;
 
   const Triangulation* triangulation;
   internal::SquareBound bound;
@@ -207,12 +207,12 @@ void AlphaComplex::Impl::find_boundary(unsigned threads) {
   }
 }
 
-Faces AlphaComplex::Impl::faces(int j, const FaceOptions& options) const {
+Faces AlphaComplex::Impl::faces(int j, const Execution& how) const {
   using namespace internal;
   require_face_dimension(*triangulation, j);
-  if (j > k) return faces_by_rows(*triangulation, {}, j, options.threads);
+  if (j > k) return faces_by_rows(*triangulation, {}, j, how.threads);
   return guarded("the faces of the alpha complex", [&] {
-    const ProgressMeter meter(options.progress);
+    const ProgressMeter meter(how.progress);
     FaceLevel level = level_of_cells(*triangulation);
     std::vector<unsigned char> marks(level.size(), 0);
     for (const SignedIndex c : cells) marks[static_cast<std::size_t>(c)] = 1;
@@ -222,14 +222,14 @@ Faces AlphaComplex::Impl::faces(int j, const FaceOptions& options) const {
       // The center of an edge without weights is between its vertices.
       if (level.dimension > 1 || triangulation::StoredPoints::of(*triangulation).weighted())
         for_wanted_faces(
-            *triangulation, level, unit, options.threads, [&](std::size_t face) { return marks[face] == 0; },
+            *triangulation, level, unit, how.threads, [&](std::size_t face) { return marks[face] == 0; },
             [&](FaceBlocks& blocks, std::span<const std::size_t> some) {
               blocks.find(some, Orthospheres::Want::beyond,
                           [&](std::size_t face, const Orthospheres::Answer& answer) {
                             masks.set(face, answer.beyond);
                           });
             });
-      FaceLevel below = facets_of(level, triangulation->complex().num_vertex_slots(), options.threads);
+      FaceLevel below = facets_of(level, triangulation->complex().num_vertex_slots(), how.threads);
       enum : unsigned char { unknown, contained, in_conflict };
       std::vector<unsigned char> next(below.size(), unknown);
       QuickRounds round;
@@ -245,15 +245,14 @@ Faces AlphaComplex::Impl::faces(int j, const FaceOptions& options) const {
       }
       level = std::move(below);
       for_wanted_faces(
-          *triangulation, level, unit, options.threads,
-          [&](std::size_t face) { return next[face] == unknown; },
+          *triangulation, level, unit, how.threads, [&](std::size_t face) { return next[face] == unknown; },
           [&](FaceBlocks& blocks, std::span<const std::size_t> some) {
             blocks.find_within(some, bound, [&](std::size_t face) { next[face] = contained; });
           });
       for (unsigned char& mark : next) mark = mark == contained ? 1 : 0;
       marks = std::move(next);
     }
-    return faces_by_rows(*triangulation, std::move(level), j, options.threads, marks);
+    return faces_by_rows(*triangulation, std::move(level), j, how.threads, marks);
   });
 }
 
@@ -269,16 +268,16 @@ internal::SquareBound bound_of_radius(double radius) {
 
 }  // namespace
 
-AlphaComplex::AlphaComplex(const Triangulation& triangulation, double radius, const FaceOptions& options)
+AlphaComplex::AlphaComplex(const Triangulation& triangulation, double radius, const Execution& how)
     : impl_(internal::guarded("the alpha complex", [&] {
-        return std::make_unique<Impl>(triangulation, bound_of_radius(radius), options);
+        return std::make_unique<Impl>(triangulation, bound_of_radius(radius), how);
       })) {}
 
 AlphaComplex AlphaComplex::of_squared_radius(const Triangulation& triangulation, double square,
-                                             const FaceOptions& options) {
+                                             const Execution& how) {
   if (std::isnan(square)) throw Error(Errc::invalid_argument, "the squared radius is NaN");
   return AlphaComplex(internal::guarded("the alpha complex", [&] {
-    return std::make_unique<Impl>(triangulation, internal::SquareBound::of_square(square), options);
+    return std::make_unique<Impl>(triangulation, internal::SquareBound::of_square(square), how);
   }));
 }
 
@@ -294,7 +293,7 @@ std::span<const SignedIndex> AlphaComplex::boundary() const { return impl_->boun
 std::span<const SignedIndex> AlphaComplex::boundary_cells() const { return impl_->boundary_cells; }
 std::span<const SignedIndex> AlphaComplex::singular_facets() const { return impl_->singular; }
 
-Faces AlphaComplex::faces(int j, const FaceOptions& options) const { return impl_->faces(j, options); }
+Faces AlphaComplex::faces(int j, const Execution& how) const { return impl_->faces(j, how); }
 
 ComplexData AlphaComplex::to_data() const {
   return internal::guarded("the cells of the alpha complex", [&] {

@@ -124,31 +124,31 @@ void require_alpha(const Triangulation& triangulation) {
 
 }  // namespace internal
 
-FaceValues alpha_values(const Triangulation& triangulation, int j, const FaceOptions& options) {
+FaceValues alpha_values(const Triangulation& triangulation, int j, const Execution& how) {
   internal::require_face_dimension(triangulation, j);
   internal::require_alpha(triangulation);
   return internal::guarded("the alpha values", [&] {
-    const internal::ProgressMeter meter(options.progress);
+    const internal::ProgressMeter meter(how.progress);
     FaceValues result;
     result.faces.dimension = j;
     if (j > triangulation.affine_dimension()) return result;
-    internal::Filtration filtration(triangulation, options.threads);
+    internal::Filtration filtration(triangulation, how.threads);
     while (filtration.level().dimension > j) filtration.descend();
     result.values = std::move(filtration.values());
-    result.faces = internal::faces_by_rows(triangulation, std::move(filtration.level()), j, options.threads,
-                                           {}, &result.values);
+    result.faces = internal::faces_by_rows(triangulation, std::move(filtration.level()), j, how.threads, {},
+                                           &result.values);
     return result;
   });
 }
 
-std::vector<FaceValues> alpha_filtration(const Triangulation& triangulation, const FaceOptions& options) {
+std::vector<FaceValues> alpha_filtration(const Triangulation& triangulation, const Execution& how) {
   internal::require_alpha(triangulation);
   return internal::guarded("the alpha values", [&] {
-    const internal::ProgressMeter meter(options.progress);
+    const internal::ProgressMeter meter(how.progress);
     const int k = triangulation.affine_dimension();
     std::vector<FaceValues> result(static_cast<std::size_t>(k + 1));
     if (k < 0) return result;
-    internal::Filtration filtration(triangulation, options.threads);
+    internal::Filtration filtration(triangulation, how.threads);
     for (int j = k; j >= 0; --j) {
       FaceValues& to = result[static_cast<std::size_t>(j)];
       internal::FaceLevel level;
@@ -158,7 +158,7 @@ std::vector<FaceValues> alpha_filtration(const Triangulation& triangulation, con
         std::swap(level, filtration.level());
         std::swap(to.values, filtration.values());
       }
-      to.faces = internal::faces_by_rows(triangulation, std::move(level), j, options.threads, {}, &to.values);
+      to.faces = internal::faces_by_rows(triangulation, std::move(level), j, how.threads, {}, &to.values);
     }
     return result;
   });

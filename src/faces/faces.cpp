@@ -114,16 +114,16 @@ Faces faces_by_rows(const Triangulation& triangulation, FaceLevel level, int j, 
 
 }  // namespace internal
 
-Faces faces(const Triangulation& triangulation, int j, const FaceOptions& options) {
+Faces faces(const Triangulation& triangulation, int j, const Execution& how) {
   internal::require_face_dimension(triangulation, j);
   return internal::guarded("the faces", [&] {
-    const internal::ProgressMeter meter(options.progress);
+    const internal::ProgressMeter meter(how.progress);
     const int k = triangulation.affine_dimension();
-    if (j > k) return internal::faces_by_rows(triangulation, {}, j, options.threads);
+    if (j > k) return internal::faces_by_rows(triangulation, {}, j, how.threads);
     internal::FaceLevel level = internal::level_of_cells(triangulation);
     const Index slots = triangulation.complex().num_vertex_slots();
-    while (level.dimension > j) level = internal::facets_of(level, slots, options.threads);
-    return internal::faces_by_rows(triangulation, std::move(level), j, options.threads);
+    while (level.dimension > j) level = internal::facets_of(level, slots, how.threads);
+    return internal::faces_by_rows(triangulation, std::move(level), j, how.threads);
   });
 }
 

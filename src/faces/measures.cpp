@@ -47,20 +47,20 @@ void for_radii_of(const Triangulation& triangulation, unsigned threads, const Ta
 }  // namespace
 }  // namespace internal
 
-std::vector<double> circumradii(const Triangulation& triangulation, const FaceOptions& options) {
+std::vector<double> circumradii(const Triangulation& triangulation, const Execution& how) {
   return internal::guarded("the circumradii", [&] {
-    const internal::ProgressMeter meter(options.progress);
+    const internal::ProgressMeter meter(how.progress);
     std::vector<double> radii(triangulation.num_finite_cells(), 0.0);
     if (triangulation.affine_dimension() < 1) return radii;
     const auto take = [&](std::size_t cell, double radius, const double* const*) { radii[cell] = radius; };
-    internal::for_radii_of(triangulation, options.threads, take);
+    internal::for_radii_of(triangulation, how.threads, take);
     return radii;
   });
 }
 
-std::vector<double> circumcenters(const Triangulation& triangulation, const FaceOptions& options) {
+std::vector<double> circumcenters(const Triangulation& triangulation, const Execution& how) {
   return internal::guarded("the circumcenters", [&] {
-    const internal::ProgressMeter meter(options.progress);
+    const internal::ProgressMeter meter(how.progress);
     const auto d = static_cast<std::size_t>(triangulation.dimension());
     std::vector<double> centers(triangulation.num_finite_cells() * d);
     const Complex complex = triangulation.complex();
@@ -79,7 +79,7 @@ std::vector<double> circumcenters(const Triangulation& triangulation, const Face
         aligned = aligned && triangulation.point(v)[j] == triangulation.point(vertices.front())[j];
     }
     static_assert(solve::CenterFinder::block == internal::orthosphere_block);
-    internal::for_blocks_of(triangulation, options.threads, [&] {
+    internal::for_blocks_of(triangulation, how.threads, [&] {
       return [&, finder = solve::CenterFinder(triangulation.dimension(), axes, aligned)](
                  std::size_t first, std::size_t count, const double* const* points) mutable {
         finder.find_block(count, points, nullptr, centers.data() + first * d);
@@ -90,17 +90,17 @@ std::vector<double> circumcenters(const Triangulation& triangulation, const Face
 }
 
 std::vector<double> qualities(const Triangulation& triangulation, QualityMeasure measure,
-                              const FaceOptions& options) {
+                              const Execution& how) {
   using namespace internal;
   return guarded("the qualities", [&] {
-    const ProgressMeter meter(options.progress);
+    const ProgressMeter meter(how.progress);
     std::vector<double> result(triangulation.num_finite_cells(), 1.0);
     const int k = triangulation.affine_dimension();
     if (k < 1) return result;
     const auto d = static_cast<std::size_t>(triangulation.dimension()),
                corners = static_cast<std::size_t>(k) + 1;
     if (measure == QualityMeasure::mean_ratio) {
-      for_blocks_of(triangulation, options.threads, [&] {
+      for_blocks_of(triangulation, how.threads, [&] {
         return [&](std::size_t first, std::size_t count, const double* const* points) {
           for (std::size_t i = 0; i < count; ++i)
             result[first + i] = mean_ratio(points + i * corners, corners, d);
@@ -112,7 +112,7 @@ std::vector<double> qualities(const Triangulation& triangulation, QualityMeasure
       result[cell] = measure == QualityMeasure::radius_ratio ? radius_ratio(points, corners, d, radius)
                                                              : radius_edge_ratio(points, corners, d, radius);
     };
-    for_radii_of(triangulation, options.threads, take);
+    for_radii_of(triangulation, how.threads, take);
     return result;
   });
 }

@@ -16,7 +16,7 @@ struct ShapesOfCells {
 };
 
 /// REQUIRES cells of `corners` ≥ 2 rows of points with d finite coordinates each. `threads`: as
-/// FaceOptions::threads.
+/// Execution::threads.
 ShapesOfCells shapes_of_cells(std::span<const double> points, int dimension,
                               std::span<const SignedIndex> cells, int corners, unsigned threads = 1);
 

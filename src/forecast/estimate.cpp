@@ -14,13 +14,12 @@
 
 #include <delone/error.hpp>
 
-#include <cmath>
 #include <vector>
 
 namespace delone {
 namespace {
 
-Forecast estimate_rows(std::span<const double> coordinates, int dimension, const EstimateOptions& options) {
+Forecast estimate_rows(std::span<const double> coordinates, int dimension, const ForecastOptions& options) {
   constexpr std::size_t most_sampled = 1 << 18;
   const auto d = static_cast<std::size_t>(dimension);
   const double start = platform::thread_seconds();
@@ -50,11 +49,10 @@ Forecast estimate_rows(std::span<const double> coordinates, int dimension, const
 
 }  // namespace
 
-Forecast estimate(const AnyPoints<>& points, int dimension, const EstimateOptions& options) {
+Forecast estimate(const AnyPoints<>& points, int dimension, const ForecastOptions& options) {
   internal::require_dimension(dimension);
   points.require_dimension(dimension);
-  if (!(options.sample_seconds > 0) || std::isinf(options.sample_seconds))
-    throw Error(Errc::invalid_argument, "sample_seconds: a finite number of seconds above 0 was expected");
+  cost_model::require_options(options);
   const std::span<const double> coordinates = points.coordinates();
   if (coordinates.size() % static_cast<std::size_t>(dimension) != 0)
     throw Error(Errc::bad_dimension, "the number of coordinates is not a multiple of the dimension");

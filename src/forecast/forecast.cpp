@@ -3,16 +3,17 @@
 #include <delone/forecast.hpp>
 
 #include "base/guarded.hpp"
+#include "base/progress_meter.hpp"
 #include "base/require_dimension.hpp"
 #include "forecast/model/cell_counts.hpp"
 #include "forecast/model/cost.hpp"
 #include "forecast/quantities.hpp"
 #include "forecast/sampling.hpp"
 #include "forecast/speed.hpp"
+#include "messages/in_quotes.hpp"
 
 #include <delone/error.hpp>
 #include <delone/point_sets.hpp>
-#include <delone/printable.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +28,7 @@ void require_kind(std::string_view kind) {
     std::string names;
     for (const PointSetKind& k : kinds) names += (names.empty() ? "" : ", ") + std::string(k.name);
     throw Error(Errc::invalid_argument,
-                "kind: unknown kind of point sets " + in_quotes(kind) + "; the kinds are " + names);
+                "kind: unknown kind of point sets " + messages::in_quotes(kind) + "; the kinds are " + names);
   }
 }
 
@@ -62,11 +63,14 @@ Forecast spread_evenly(int dimension, std::size_t num_points, std::string_view k
 
 }  // namespace
 
-Forecast forecast(int dimension, std::size_t num_points, std::string_view kind, unsigned threads) {
+Forecast forecast(int dimension, std::size_t num_points, std::string_view kind,
+                  const ForecastOptions& options) {
   internal::require_dimension(dimension);
   require_kind(kind);
+  cost_model::require_options(options);
+  const internal::ProgressMeter meter(options.progress);
   if (kind == "uniform" || dimension > cost_model::largest_measured_dimension)
-    return spread_evenly(dimension, num_points, kind, threads);
+    return spread_evenly(dimension, num_points, kind, options.threads);
   constexpr std::size_t most_sampled = 1 << 18;
   const auto n = static_cast<double>(num_points);
   cost_model::SampledSet set;
@@ -78,7 +82,7 @@ Forecast forecast(int dimension, std::size_t num_points, std::string_view kind, 
   set.known_cells = known_cells(kind, dimension, set.num_distinct);
   set.sample = [&](std::size_t m) { return make_point_set(kind, dimension, m); };
   return internal::guarded("a sample of the points",
-                           [&] { return cost_model::forecast_by_samples(set, {.threads = threads}); });
+                           [&] { return cost_model::forecast_by_samples(set, options); });
 }
 
 }  // namespace delone

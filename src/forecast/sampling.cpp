@@ -6,6 +6,7 @@
 #include "forecast/quantities.hpp"
 
 #include <delone/delaunay.hpp>
+#include <delone/error.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,7 @@ namespace {
 
 class Sampling {
  public:
-  Sampling(const SampledSet& set, const EstimateOptions& options)
+  Sampling(const SampledSet& set, const ForecastOptions& options)
       : set_(set), options_(options), spent_(set.spent) {}
 
   Forecast run() {
@@ -103,7 +104,7 @@ class Sampling {
   }
 
   const SampledSet& set_;
-  const EstimateOptions& options_;
+  const ForecastOptions& options_;
   std::vector<SampleCost> samples_;
   std::size_t largest_ = 0;
   double spent_;
@@ -111,7 +112,12 @@ class Sampling {
 
 }  // namespace
 
-Forecast forecast_by_samples(const SampledSet& set, const EstimateOptions& options) {
+void require_options(const ForecastOptions& options) {
+  if (!(options.sample_seconds > 0) || std::isinf(options.sample_seconds))
+    throw Error(Errc::invalid_argument, "sample_seconds: a finite number of seconds above 0 was expected");
+}
+
+Forecast forecast_by_samples(const SampledSet& set, const ForecastOptions& options) {
   return Sampling(set, options).run();
 }
 

@@ -23,8 +23,11 @@ struct SampledSet {
   double spent = 0;        ///< seconds of the thread that have been spent on the set already
 };
 
+/// Throws invalid_argument unless sample_seconds is finite and > 0.
+void require_options(const ForecastOptions& options);
+
 /// Triangulates samples of growing size until a forecast is worth no more time. Errors: out_of_memory,
 /// cancelled.
-Forecast forecast_by_samples(const SampledSet& set, const EstimateOptions& options);
+Forecast forecast_by_samples(const SampledSet& set, const ForecastOptions& options);
 
 }  // namespace delone::cost_model

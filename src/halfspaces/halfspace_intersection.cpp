@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Polyhedron: rows to distinct sites, rank, interior point; hull/boundary.hpp makes the boundary,
-// intersection_arrays.hpp the arrays.
+// HalfspaceIntersectionBase: rows to distinct sites, rank, interior point; hull/boundary.hpp makes the
+// boundary, intersection_arrays.hpp the arrays.
 #include "base/build_limits.hpp"
 #include "base/guarded.hpp"
 #include "base/progress_meter.hpp"
@@ -42,7 +42,7 @@ std::string and_more(std::size_t more) {
 
 }  // namespace
 
-struct Polyhedron::Impl {
+struct HalfspaceIntersectionBase::Impl {
   Impl(int dimension, Options given) : d(static_cast<std::size_t>(dimension)), options(std::move(given)) {}
   Impl(const Impl& other)
       : d(other.d),
@@ -248,7 +248,8 @@ struct Polyhedron::Impl {
   }
 };
 
-Polyhedron::Polyhedron(const AnyPoints<>& halfspaces, int dimension, const Options& options) {
+HalfspaceIntersectionBase::HalfspaceIntersectionBase(const AnyPoints<>& halfspaces, int dimension,
+                                                     const Options& options) {
   internal::require_dimension(dimension);
   internal::refuse_tolerance(options.tolerance, "intersections of halfspaces");
   halfspaces.require_dimension(dimension + 1);
@@ -258,8 +259,9 @@ Polyhedron::Polyhedron(const AnyPoints<>& halfspaces, int dimension, const Optio
   });
 }
 
-Polyhedron::Polyhedron(const AnyPoints<>& halfspaces, int dimension, std::span<const double> interior_point,
-                       const Options& options) {
+HalfspaceIntersectionBase::HalfspaceIntersectionBase(const AnyPoints<>& halfspaces, int dimension,
+                                                     std::span<const double> interior_point,
+                                                     const Options& options) {
   internal::require_dimension(dimension);
   internal::refuse_tolerance(options.tolerance, "intersections of halfspaces");
   halfspaces.require_dimension(dimension + 1);
@@ -275,49 +277,54 @@ Polyhedron::Polyhedron(const AnyPoints<>& halfspaces, int dimension, std::span<c
   });
 }
 
-Polyhedron::Polyhedron(detail::Clone, const Polyhedron& other)
+HalfspaceIntersectionBase::HalfspaceIntersectionBase(detail::Clone, const HalfspaceIntersectionBase& other)
     : impl_(internal::guarded("the intersection", [&] { return std::make_unique<Impl>(*other.impl_); })) {}
-Polyhedron::Polyhedron(Polyhedron&&) noexcept = default;
-Polyhedron& Polyhedron::operator=(Polyhedron&&) noexcept = default;
-Polyhedron::~Polyhedron() = default;
+HalfspaceIntersectionBase::HalfspaceIntersectionBase(HalfspaceIntersectionBase&&) noexcept = default;
+HalfspaceIntersectionBase& HalfspaceIntersectionBase::operator=(HalfspaceIntersectionBase&&) noexcept =
+    default;
+HalfspaceIntersectionBase::~HalfspaceIntersectionBase() = default;
 
-void Polyhedron::insert_rows(const AnyPoints<>& halfspaces) {
+void HalfspaceIntersectionBase::insert_rows(const AnyPoints<>& halfspaces) {
   halfspaces.require_dimension(dimension() + 1);
   internal::guarded("the intersection",
                     [&] { impl_->within_limits([&] { impl_->add(halfspaces.coordinates()); }); });
 }
 
-int Polyhedron::dimension() const { return static_cast<int>(impl_->d); }
-int Polyhedron::rank() const { return impl_->current->rank(); }
-std::size_t Polyhedron::num_halfspaces() const { return impl_->num_rows(); }
-IntersectionState Polyhedron::state() const { return impl_->current->state; }
-std::size_t Polyhedron::count(HalfspaceKind kind) const {
+int HalfspaceIntersectionBase::dimension() const { return static_cast<int>(impl_->d); }
+int HalfspaceIntersectionBase::rank() const { return impl_->current->rank(); }
+std::size_t HalfspaceIntersectionBase::num_halfspaces() const { return impl_->num_rows(); }
+IntersectionState HalfspaceIntersectionBase::state() const { return impl_->current->state; }
+std::size_t HalfspaceIntersectionBase::count(HalfspaceKind kind) const {
   return static_cast<std::size_t>(std::count(data().kinds.begin(), data().kinds.end(), kind));
 }
-const IntersectionData& Polyhedron::data() const { return impl_->analyse(); }
-IntersectionData Polyhedron::to_data() const {
+const IntersectionData& HalfspaceIntersectionBase::data() const { return impl_->analyse(); }
+IntersectionData HalfspaceIntersectionBase::to_data() const {
   IntersectionData copy = data();
   copy.halfspaces = impl_->rows;
   return copy;
 }
 
-double Polyhedron::volume() const {
+Measure HalfspaceIntersectionBase::volume() const {
   const IntersectionData& found = data();
-  if (found.state != IntersectionState::full) return 0;
-  if (!found.bounded) return std::numeric_limits<double>::infinity();
-  Options how = impl_->options;
-  how.memory_limit = 0;  // limits are those of insertions
-  how.time_limit = 0;
-  return ConvexHull<>(found.vertices, dimension(), how).volume().value;
+  if (found.state != IntersectionState::full) return {};
+  if (!found.bounded) return {.value = std::numeric_limits<double>::infinity()};
+  Options options = impl_->options;
+  options.memory_limit = 0;  // limits are those of insertions
+  options.time_limit = 0;
+  return ConvexHull<>(found.vertices, dimension(), options).volume();
 }
-double Polyhedron::dual_volume() const { return halfspaces::dual_measure(*impl_->current, true); }
-double Polyhedron::dual_area() const { return halfspaces::dual_measure(*impl_->current, false); }
+Measure HalfspaceIntersectionBase::dual_volume() const {
+  return halfspaces::dual_measure(*impl_->current, true);
+}
+Measure HalfspaceIntersectionBase::dual_area() const {
+  return halfspaces::dual_measure(*impl_->current, false);
+}
 
-std::size_t Polyhedron::num_cells() const {
+std::size_t HalfspaceIntersectionBase::num_cells() const {
   return impl_->current->cone ? impl_->current->cone->make_hull().num_cells() : 0;
 }
 
-Statistics Polyhedron::statistics() const {
+Statistics HalfspaceIntersectionBase::statistics() const {
   Statistics s;
   s.order_seconds = impl_->order_seconds;
   s.build_seconds = impl_->build_seconds;

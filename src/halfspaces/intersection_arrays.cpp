@@ -330,12 +330,12 @@ bool is_strictly_inside(const double* row, const InteriorPoint& p) {
 
 IntersectionData intersection_arrays(const IntersectionParts& parts) { return ArrayMaker(parts).make(); }
 
-double dual_measure(const IntersectionParts& parts, bool volume) {
+Measure dual_measure(const IntersectionParts& parts, bool volume) {
   const auto d = parts.interior.rounded.size();
   if (!parts.cone || static_cast<std::size_t>(parts.rank()) != d)
-    return std::numeric_limits<double>::quiet_NaN();
+    return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
   const SimplicialHull hull = parts.cone->make_hull();
-  if (d == 1 && !volume) return 2;
+  if (d == 1 && !volume) return {2, 0};
   hull::MeasureSum sum;
   std::vector<const double*> simplex;
   for (std::size_t c = 0; c < hull.num_cells(); ++c) {
@@ -349,7 +349,7 @@ double dual_measure(const IntersectionParts& parts, bool volume) {
     for (const Index site : cell) simplex.push_back(parts.sites.dual(site));
     sum.add(hull::simplex_volume(simplex, static_cast<int>(d)));
   }
-  return sum.result().value;
+  return sum.result();
 }
 
 }  // namespace delone::halfspaces

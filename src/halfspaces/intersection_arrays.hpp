@@ -45,6 +45,6 @@ bool is_strictly_inside(const double* row, const InteriorPoint& p);
 IntersectionData intersection_arrays(const IntersectionParts& parts);
 
 /// The volume of the hull of the rounded dual points, or the area of its boundary; NaN for k < d.
-double dual_measure(const IntersectionParts& parts, bool volume);
+Measure dual_measure(const IntersectionParts& parts, bool volume);
 
 }  // namespace delone::halfspaces

@@ -50,10 +50,10 @@ struct HullMeasures {
 HullMeasures measure_hull(const BoundarySites& sites, const SimplicialHull& hull, unsigned threads = 1);
 
 /// For each facet the outward unit normal of its hyperplane within the flat and the offset, d+1 numbers, with
-/// the error bounds of Polytope::data(). Each facet takes the equation of its cell with the smallest bound.
-/// `inner(c)`: a site strictly inside the hyperplane of cell c. `seeds`: if not empty, the cell of each facet
-/// whose equation it takes. `measures`: if
-/// not null, set to measure_hull() with the same eliminations; then no seeds.
+/// the error bounds of ConvexHullBase::data(). Each facet takes the equation of its cell with the smallest
+/// bound. `inner(c)`: a site strictly inside the hyperplane of cell c. `seeds`: if not empty, the cell of
+/// each facet whose equation it takes. `measures`: if not null, set to measure_hull() with the same
+/// eliminations; then no seeds.
 struct FacetEquations {
   std::vector<double> equations, errors;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What insertions into a Polytope change: rows to distinct sites, the affine hull, the boundary.
+// What insertions into a ConvexHullBase change: rows to distinct sites, the affine hull, the boundary.
 #pragma once
 
 #include "base/progress_meter.hpp"

@@ -3,6 +3,7 @@
 #include "io/collect.hpp"
 
 #include "io/file.hpp"
+#include "messages/in_quotes.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -12,7 +13,8 @@ namespace delone::io {
 
 std::string describe_not_finite(std::string_view text) {
   const bool decimal = text.find_first_of("0123456789") != std::string_view::npos;
-  return in_quotes(text) + (decimal ? " is beyond the range of double precision" : " is not finite");
+  return messages::in_quotes(text) +
+         (decimal ? " is beyond the range of double precision" : " is not finite");
 }
 
 void require_finite(std::span<const double> coordinates, int dimension, const std::string& name,

@@ -5,6 +5,7 @@
 #include "base/platform_files.hpp"
 #include "base/progress_meter.hpp"
 #include "io/gzip.hpp"
+#include "messages/in_quotes.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -172,7 +173,8 @@ std::string choose_format(const std::string& path, const std::string& format,
   const char* more = use == Use::writing_mesh ? "; more by to_meshio() in Python" : "";
   if (!format.empty() || chosen.size() > 1)
     fail(Errc::unsupported, "{}: format {} cannot be used for {}; available: {}{}",
-         printable(path, std::string::npos), in_quotes(chosen), purpose, fmt::join(known, ", "), more);
+         printable(path, std::string::npos), messages::in_quotes(chosen), purpose, fmt::join(known, ", "),
+         more);
   fail(Errc::unsupported, "{}: no extension tells the format for {}; name it: {}",
        printable(path, std::string::npos), purpose, fmt::join(known, ", "));
 }

@@ -6,6 +6,7 @@
 #include "io/text_cursor.hpp"
 #include "io/utf8.hpp"
 #include "io/write_npy.hpp"
+#include "messages/in_quotes.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -60,7 +61,7 @@ class HeaderParser {
 
  private:
   [[noreturn]] void malformed() const {
-    fail(Errc::bad_format, "{}: malformed .npy header {}", name_, in_quotes(text_));
+    fail(Errc::bad_format, "{}: malformed .npy header {}", name_, messages::in_quotes(text_));
   }
   char peek() {
     while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\n')) ++at_;
@@ -133,7 +134,7 @@ void set_type(NpyArray& array, const std::string& descr, const std::string& name
                       (type[1] == '1' || type[1] == '2' || type[1] == '4' || type[1] == '8'));
   if (!known)
     fail(Errc::unsupported, "{}: data type {} is not supported; convert to float64 (or float32, or integers)",
-         name, in_quotes(descr));
+         name, messages::in_quotes(descr));
   array.kind = type[0];
   array.item_size = static_cast<std::size_t>(type[1] - '0');
   array.big_endian = order == '>' || (order == '=' && std::endian::native == std::endian::big);
@@ -315,14 +316,14 @@ std::vector<std::string> parse_npy_texts(std::string_view bytes, const std::stri
   const auto width = to_count(std::string_view(type).substr(std::min<std::size_t>(type.size(), 2)));
   if (type.size() < 3 || type[1] != 'U' || !width || header.shape.size() != rank)
     fail(Errc::bad_format, "{}: expected a {}-D array of Unicode strings, found type {} and shape {}", name,
-         rank, in_quotes(type), shape_text(header.shape));
+         rank, messages::in_quotes(type), shape_text(header.shape));
   const std::string_view data = bytes.substr(start + length);
   const std::size_t count = rank == 0 ? 1 : header.shape[0], characters = data.size() / 4;
   if (data.size() % 4 != 0 ||
       (*width == 0 ? characters != 0 : characters % *width != 0 || characters / *width != count) ||
       (*width == 0 && count > 4096))
     fail(Errc::bad_format, "{}: {} bytes of data for shape {} of type {}", name, data.size(),
-         shape_text(header.shape), in_quotes(type));
+         shape_text(header.shape), messages::in_quotes(type));
   const bool swap = (type[0] == '>') != (std::endian::native == std::endian::big);
   std::vector<std::string> texts(count);
   for (std::size_t i = 0; i < characters; ++i)

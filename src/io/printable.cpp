@@ -53,6 +53,4 @@ std::string printable(std::string_view foreign, std::size_t most) {
   return out;
 }
 
-std::string in_quotes(std::string_view foreign) { return fmt::format("'{}'", printable(foreign)); }
-
 }  // namespace delone

@@ -3,6 +3,7 @@
 #include "io/text_cursor.hpp"
 
 #include "io/file.hpp"
+#include "messages/in_quotes.hpp"
 
 #include <charconv>
 
@@ -44,7 +45,8 @@ std::uint64_t TextCursor::count(std::string_view what, std::uint64_t largest) {
   const std::string_view text = next_token();
   if (text.empty()) fail(Errc::bad_format, "{}: the file ends before {}", place(), what);
   const auto value = to_count(text);
-  if (!value) fail(Errc::bad_format, "{}: {} is {}, which is not a count", place(), what, in_quotes(text));
+  if (!value)
+    fail(Errc::bad_format, "{}: {} is {}, which is not a count", place(), what, messages::in_quotes(text));
   if (*value > largest)
     fail(Errc::bad_format, "{}: {} is {}, more than the {} possible here", place(), what, *value, largest);
   return *value;
@@ -52,7 +54,7 @@ std::uint64_t TextCursor::count(std::string_view what, std::uint64_t largest) {
 
 void TextCursor::fail_number(std::string_view what) {
   const std::string_view text = token();
-  fail(Errc::bad_format, "{}: {}: {} is not a number", place(), what, in_quotes(text));
+  fail(Errc::bad_format, "{}: {}: {} is not a number", place(), what, messages::in_quotes(text));
 }
 
 }  // namespace delone::io

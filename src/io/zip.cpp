@@ -5,6 +5,7 @@
 
 #include "io/atomic_file.hpp"
 #include "io/file.hpp"
+#include "messages/in_quotes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -208,7 +209,8 @@ ZipReader::ZipReader(std::string_view bytes, std::string name) : bytes_(bytes), 
     if (local_part(m, local_size, u16(local_header(m), 26)) != m.name)
       fail(Errc::bad_format,
            "{}: damaged archive: the directory and a member disagree about its name, {} or {}", name_,
-           in_quotes(m.name), in_quotes(local_part(m, local_size, u16(local_header(m), 26))));
+           messages::in_quotes(m.name),
+           messages::in_quotes(local_part(m, local_size, u16(local_header(m), 26))));
     members_.push_back(std::move(m));
   }
   if (!directory.empty())
@@ -217,7 +219,7 @@ ZipReader::ZipReader(std::string_view bytes, std::string name) : bytes_(bytes), 
   for (const ZipMember& m : members_) names.push_back(m.name);
   std::sort(names.begin(), names.end());
   if (const auto twice = std::adjacent_find(names.begin(), names.end()); twice != names.end())
-    fail(Errc::bad_format, "{}: the member {} appears twice", name_, in_quotes(*twice));
+    fail(Errc::bad_format, "{}: the member {} appears twice", name_, messages::in_quotes(*twice));
 }
 
 std::string_view ZipReader::local_part(const ZipMember& m, std::uint64_t at, std::uint64_t size) const {

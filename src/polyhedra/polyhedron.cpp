@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// ExactPolyhedron: how it is made, and what it says about its two descriptions.
+// Polyhedron: how it is made, and what it says about its two descriptions.
 #include "base/random.hpp"
 #include "base/require_dimension.hpp"
 #include "polyhedra/adjacency.hpp"
@@ -126,16 +126,16 @@ void add_to_hash(const Integer& x, CanonicalHash& hash) {
 
 }  // namespace
 
-ExactPolyhedron::ExactPolyhedron(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
-ExactPolyhedron::ExactPolyhedron() : ExactPolyhedron(empty(0)) {}
+Polyhedron::Polyhedron(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
+Polyhedron::Polyhedron() : Polyhedron(empty(0)) {}
 
-ExactPolyhedron ExactPolyhedron::of(Description description, std::vector<RowKind> kinds) {
+Polyhedron Polyhedron::of(Description description, std::vector<RowKind> kinds) {
   return internal::guarded("the polyhedron", [&] {
-    return ExactPolyhedron(std::make_shared<const Impl>(std::move(description), std::move(kinds)));
+    return Polyhedron(std::make_shared<const Impl>(std::move(description), std::move(kinds)));
   });
 }
 
-ExactPolyhedron ExactPolyhedron::from_inequalities(const RationalRows& inequalities,
+Polyhedron Polyhedron::from_inequalities(const RationalRows& inequalities,
                                                    const RationalRows& equations, int dimension,
                                                    const Options& options) {
   const std::size_t d = checked(dimension);
@@ -149,7 +149,7 @@ ExactPolyhedron ExactPolyhedron::from_inequalities(const RationalRows& inequalit
   });
 }
 
-ExactPolyhedron ExactPolyhedron::from_generators(const RationalRows& vertices, const RationalRows& rays,
+Polyhedron Polyhedron::from_generators(const RationalRows& vertices, const RationalRows& rays,
                                                  const RationalRows& lines, int dimension,
                                                  const Options& options) {
   const std::size_t d = checked(dimension);
@@ -167,26 +167,26 @@ ExactPolyhedron ExactPolyhedron::from_generators(const RationalRows& vertices, c
   });
 }
 
-ExactPolyhedron ExactPolyhedron::empty(int dimension) {
+Polyhedron Polyhedron::empty(int dimension) {
   return internal::guarded("the polyhedron",
                            [&] { return of(polyhedra::from_generators({}, {}, checked(dimension))); });
 }
-ExactPolyhedron ExactPolyhedron::space(int dimension) {
+Polyhedron Polyhedron::space(int dimension) {
   return internal::guarded("the polyhedron",
                            [&] { return of(polyhedra::from_inequalities({}, {}, checked(dimension))); });
 }
 
-int ExactPolyhedron::dimension() const { return static_cast<int>(impl_->description.dimension); }
-int ExactPolyhedron::affine_dimension() const { return impl_->description.affine_dimension(); }
-bool ExactPolyhedron::is_empty() const { return impl_->description.is_empty(); }
-bool ExactPolyhedron::is_bounded() const { return num_rays() == 0 && num_lines() == 0; }
-std::size_t ExactPolyhedron::num_vertices() const { return impl_->description.num_vertices; }
-std::size_t ExactPolyhedron::num_rays() const { return impl_->description.num_rays(); }
-std::size_t ExactPolyhedron::num_lines() const { return impl_->description.lines.size(); }
-std::size_t ExactPolyhedron::num_inequalities() const { return impl_->description.facets.size(); }
-std::size_t ExactPolyhedron::num_equations() const { return impl_->description.equations.size(); }
+int Polyhedron::dimension() const { return static_cast<int>(impl_->description.dimension); }
+int Polyhedron::affine_dimension() const { return impl_->description.affine_dimension(); }
+bool Polyhedron::is_empty() const { return impl_->description.is_empty(); }
+bool Polyhedron::is_bounded() const { return num_rays() == 0 && num_lines() == 0; }
+std::size_t Polyhedron::num_vertices() const { return impl_->description.num_vertices; }
+std::size_t Polyhedron::num_rays() const { return impl_->description.num_rays(); }
+std::size_t Polyhedron::num_lines() const { return impl_->description.lines.size(); }
+std::size_t Polyhedron::num_inequalities() const { return impl_->description.facets.size(); }
+std::size_t Polyhedron::num_equations() const { return impl_->description.equations.size(); }
 
-RationalRows ExactPolyhedron::vertices() const {
+RationalRows Polyhedron::vertices() const {
   return internal::guarded("vertices", [&] {
     const Description& own = impl_->description;
     RationalRows rows = to_public(own.generators, 0, own.num_vertices, own.dimension, false);
@@ -198,32 +198,32 @@ RationalRows ExactPolyhedron::vertices() const {
     return own.dimension == 0 ? rows : RationalRows(std::move(entries), own.dimension);
   });
 }
-RationalRows ExactPolyhedron::vertex_integers() const {
+RationalRows Polyhedron::vertex_integers() const {
   return internal::guarded("vertices", [&] {
     const Description& own = impl_->description;
     return to_public(own.generators, 0, own.num_vertices, own.width(), false);
   });
 }
-RationalRows ExactPolyhedron::rays() const {
+RationalRows Polyhedron::rays() const {
   return internal::guarded("rays", [&] {
     const Description& own = impl_->description;
     return to_public(own.generators, own.num_vertices, own.generators.size(), own.dimension, false);
   });
 }
-RationalRows ExactPolyhedron::lines() const {
+RationalRows Polyhedron::lines() const {
   return internal::guarded("lines", [&] {
     const Description& own = impl_->description;
     return to_public(own.lines, 0, own.lines.size(), own.dimension, false);
   });
 }
-RationalRows ExactPolyhedron::inequalities() const {
+RationalRows Polyhedron::inequalities() const {
   return internal::guarded("inequalities", [&] {
     const Description& own = impl_->description;
     return to_public(own.facets, 0, own.facets.size(), own.width(), true);
   });
 }
 /// The first entry of an equation is positive, as it is a·x = b.
-RationalRows ExactPolyhedron::equations() const {
+RationalRows Polyhedron::equations() const {
   return internal::guarded("equations", [&] {
     const Description& own = impl_->description;
     Rows rows = own.equations;
@@ -234,25 +234,25 @@ RationalRows ExactPolyhedron::equations() const {
   });
 }
 
-std::vector<std::size_t> ExactPolyhedron::facets_of_vertex(std::size_t vertex) const {
+std::vector<std::size_t> Polyhedron::facets_of_vertex(std::size_t vertex) const {
   require_number(vertex, num_vertices(), "vertex");
   return numbers_of(impl_->description.incidence[vertex], 0, num_inequalities());
 }
-std::vector<std::size_t> ExactPolyhedron::facets_of_ray(std::size_t ray) const {
+std::vector<std::size_t> Polyhedron::facets_of_ray(std::size_t ray) const {
   require_number(ray, num_rays(), "ray");
   return numbers_of(impl_->description.incidence[num_vertices() + ray], 0, num_inequalities());
 }
-std::vector<std::size_t> ExactPolyhedron::vertices_of_facet(std::size_t facet) const {
+std::vector<std::size_t> Polyhedron::vertices_of_facet(std::size_t facet) const {
   require_number(facet, num_inequalities(), "facet");
   return numbers_of(impl_->generators_of_facets[facet], 0, num_vertices());
 }
-std::vector<std::size_t> ExactPolyhedron::rays_of_facet(std::size_t facet) const {
+std::vector<std::size_t> Polyhedron::rays_of_facet(std::size_t facet) const {
   require_number(facet, num_inequalities(), "facet");
   return numbers_of(impl_->generators_of_facets[facet], num_vertices(), num_vertices() + num_rays());
 }
 
 /// Generators are the rays of the cone of the polyhedron modulo its lines, and infinity is a row of it.
-Pairs ExactPolyhedron::adjacent_vertices() const {
+Pairs Polyhedron::adjacent_vertices() const {
   return internal::guarded("the edges", [&] {
     const Description& own = impl_->description;
     const std::size_t infinity = own.facets.size();
@@ -271,7 +271,7 @@ Pairs ExactPolyhedron::adjacent_vertices() const {
 
 /// Facets are the rays of the polar cone modulo the equations, and infinity is one of them unless a facet
 /// contains all rays.
-Pairs ExactPolyhedron::adjacent_facets() const {
+Pairs Polyhedron::adjacent_facets() const {
   return internal::guarded("the ridges", [&] {
     const Description& own = impl_->description;
     const BitRows& facets = impl_->generators_of_facets;
@@ -296,16 +296,16 @@ Pairs ExactPolyhedron::adjacent_facets() const {
   });
 }
 
-const std::vector<RowKind>& ExactPolyhedron::row_kinds() const { return impl_->kinds; }
+const std::vector<RowKind>& Polyhedron::row_kinds() const { return impl_->kinds; }
 
-std::vector<std::size_t> ExactPolyhedron::redundant_rows() const {
+std::vector<std::size_t> Polyhedron::redundant_rows() const {
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < impl_->kinds.size(); ++i)
     if (impl_->kinds[i] == RowKind::duplicate || impl_->kinds[i] == RowKind::redundant) rows.push_back(i);
   return rows;
 }
 
-CanonicalHash ExactPolyhedron::hash() const {
+CanonicalHash Polyhedron::hash() const {
   const Description& own = impl_->description;
   CanonicalHash hash{0x452821e638d01377u, 0xbe5466cf34e90c6cu};  // digits of π
   for (const std::size_t size : {own.dimension, own.num_vertices, own.generators.size(), own.lines.size()})
@@ -318,7 +318,7 @@ CanonicalHash ExactPolyhedron::hash() const {
   return hash;
 }
 
-bool operator==(const ExactPolyhedron& a, const ExactPolyhedron& b) {
+bool operator==(const Polyhedron& a, const Polyhedron& b) {
   const Description &x = a.impl_->description, &y = b.impl_->description;
   return a.impl_ == b.impl_ || (x.dimension == y.dimension && x.num_vertices == y.num_vertices &&
                                 x.generators == y.generators && x.lines == y.lines);

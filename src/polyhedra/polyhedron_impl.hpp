@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a ExactPolyhedron shares with its copies.
+// What a Polyhedron shares with its copies.
 #pragma once
 
 #include "base/build_limits.hpp"
@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-struct delone::ExactPolyhedron::Impl {
+struct delone::Polyhedron::Impl {
   Impl(polyhedra::Description given, std::vector<RowKind> roles)
       : description(std::move(given)),
         generators_of_facets(description.incidence.transposed(description.facets.size())),

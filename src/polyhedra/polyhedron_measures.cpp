@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// ExactPolyhedron: numbers of faces, volume, boxes.
+// Polyhedron: numbers of faces, volume, boxes.
 #include "polyhedra/faces.hpp"
 #include "polyhedra/fraction.hpp"
 #include "polyhedra/polyhedron_impl.hpp"
@@ -29,13 +29,13 @@ Rational negated(const Rational& x) {
 
 }  // namespace
 
-std::vector<std::size_t> ExactPolyhedron::f_vector() const {
+std::vector<std::size_t> Polyhedron::f_vector() const {
   if (is_empty()) return {};
   return internal::guarded(
       "the faces", [&] { return polyhedra::count_faces(impl_->description, impl_->generators_of_facets); });
 }
 
-std::optional<Rational> ExactPolyhedron::volume() const {
+std::optional<Rational> Polyhedron::volume() const {
   if (affine_dimension() < dimension()) return Rational();
   if (!is_bounded()) return std::nullopt;
   return internal::guarded("the volume", [&] {
@@ -44,7 +44,7 @@ std::optional<Rational> ExactPolyhedron::volume() const {
   });
 }
 
-std::optional<RationalBox> ExactPolyhedron::bounding_box() const {
+std::optional<RationalBox> Polyhedron::bounding_box() const {
   if (is_empty()) return std::nullopt;
   return internal::guarded("the bounding box", [&] {
     RationalBox box;
@@ -62,7 +62,7 @@ std::optional<RationalBox> ExactPolyhedron::bounding_box() const {
   });
 }
 
-std::optional<RationalBox> ExactPolyhedron::integer_bounding_box() const {
+std::optional<RationalBox> Polyhedron::integer_bounding_box() const {
   std::optional<RationalBox> box = bounding_box();
   if (!box) return box;
   return internal::guarded("the bounding box", [&] {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// ExactPolyhedron: questions about points and linear functions, and operations that make other polyhedra.
+// Polyhedron: questions about points and linear functions, and operations that make other polyhedra.
 #include "base/require_dimension.hpp"
 #include "polyhedra/fraction.hpp"
 #include "polyhedra/polyhedron_impl.hpp"
@@ -99,7 +99,7 @@ Row sum_of_points(const Row& a, const Row& b) {
 
 }  // namespace
 
-bool ExactPolyhedron::contains(std::span<const Rational> point) const {
+bool Polyhedron::contains(std::span<const Rational> point) const {
   const Description& own = impl_->description;
   require_size(point.size(), own.dimension, "the point");
   return internal::guarded("a query", [&] {
@@ -111,13 +111,13 @@ bool ExactPolyhedron::contains(std::span<const Rational> point) const {
   });
 }
 
-bool ExactPolyhedron::includes(const ExactPolyhedron& other) const {
+bool Polyhedron::includes(const Polyhedron& other) const {
   require_same_dimension(impl_->description, other.impl_->description);
   return internal::guarded("a query",
                            [&] { return polyhedra::includes(impl_->description, other.impl_->description); });
 }
 
-Optimum ExactPolyhedron::maximize(std::span<const Rational> c) const {
+Optimum Polyhedron::maximize(std::span<const Rational> c) const {
   const Description& own = impl_->description;
   require_size(c.size(), own.dimension, "the linear function");
   return internal::guarded("an optimum", [&] {
@@ -155,7 +155,7 @@ Optimum ExactPolyhedron::maximize(std::span<const Rational> c) const {
   });
 }
 
-Optimum ExactPolyhedron::minimize(std::span<const Rational> c) const {
+Optimum Polyhedron::minimize(std::span<const Rational> c) const {
   std::vector<Rational> opposite;
   for (const Rational& x : c) {
     const Fraction fraction = Fraction::of(x);
@@ -167,7 +167,7 @@ Optimum ExactPolyhedron::minimize(std::span<const Rational> c) const {
   return result;
 }
 
-ExactPolyhedron ExactPolyhedron::intersection(const ExactPolyhedron& other, const Options& options) const {
+Polyhedron Polyhedron::intersection(const Polyhedron& other, const Options& options) const {
   const Description &a = impl_->description, &b = other.impl_->description;
   require_same_dimension(a, b);
   return within_limits(options, [&] {
@@ -176,7 +176,7 @@ ExactPolyhedron ExactPolyhedron::intersection(const ExactPolyhedron& other, cons
   });
 }
 
-ExactPolyhedron ExactPolyhedron::convex_union(const ExactPolyhedron& other, const Options& options) const {
+Polyhedron Polyhedron::convex_union(const Polyhedron& other, const Options& options) const {
   const Description &a = impl_->description, &b = other.impl_->description;
   require_same_dimension(a, b);
   if (a.is_empty()) return other;
@@ -187,7 +187,7 @@ ExactPolyhedron ExactPolyhedron::convex_union(const ExactPolyhedron& other, cons
   });
 }
 
-ExactPolyhedron ExactPolyhedron::minkowski_sum(const ExactPolyhedron& other, const Options& options) const {
+Polyhedron Polyhedron::minkowski_sum(const Polyhedron& other, const Options& options) const {
   const Description &a = impl_->description, &b = other.impl_->description;
   require_same_dimension(a, b);
   if (a.is_empty()) return *this;
@@ -207,7 +207,7 @@ ExactPolyhedron ExactPolyhedron::minkowski_sum(const ExactPolyhedron& other, con
   });
 }
 
-ExactPolyhedron ExactPolyhedron::product(const ExactPolyhedron& other) const {
+Polyhedron Polyhedron::product(const Polyhedron& other) const {
   const Description &a = impl_->description, &b = other.impl_->description;
   const std::size_t d = a.dimension, e = b.dimension;
   if (a.is_empty() || b.is_empty()) return empty(static_cast<int>(d + e));
@@ -233,7 +233,7 @@ ExactPolyhedron ExactPolyhedron::product(const ExactPolyhedron& other) const {
   });
 }
 
-ExactPolyhedron ExactPolyhedron::polar(const Options& options) const {
+Polyhedron Polyhedron::polar(const Options& options) const {
   const Description& own = impl_->description;
   return within_limits(options, [&] {
     Rows inequalities = own.generators;
@@ -243,7 +243,7 @@ ExactPolyhedron ExactPolyhedron::polar(const Options& options) const {
   });
 }
 
-ExactPolyhedron ExactPolyhedron::projection(std::span<const int> axes, const Options& options) const {
+Polyhedron Polyhedron::projection(std::span<const int> axes, const Options& options) const {
   const std::size_t d = impl_->description.dimension;
   std::vector<char> is_kept(d, 0);
   RationalRows matrix;
@@ -259,7 +259,7 @@ ExactPolyhedron ExactPolyhedron::projection(std::span<const int> axes, const Opt
   return image(matrix, {}, options);
 }
 
-ExactPolyhedron ExactPolyhedron::image(const RationalRows& matrix, std::span<const Rational> translation,
+Polyhedron Polyhedron::image(const RationalRows& matrix, std::span<const Rational> translation,
                                        const Options& options) const {
   const Description& own = impl_->description;
   return within_limits(options, [&] {
@@ -271,7 +271,7 @@ ExactPolyhedron ExactPolyhedron::image(const RationalRows& matrix, std::span<con
   });
 }
 
-ExactPolyhedron ExactPolyhedron::preimage(const RationalRows& matrix, int dimension,
+Polyhedron Polyhedron::preimage(const RationalRows& matrix, int dimension,
                                           std::span<const Rational> translation,
                                           const Options& options) const {
   const Description& own = impl_->description;

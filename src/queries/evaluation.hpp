@@ -39,27 +39,25 @@ inline std::vector<double> by_vertex(const Triangulation& triangulation, std::sp
   return result;
 }
 
-/// How many steps all threads have done. The thread that makes it tells `progress`, at its cancellation
-/// points.
+/// How many of the queries all threads have answered. The thread that makes it tells the progress function.
 class Progress {
  public:
-  explicit Progress(const std::function<bool(std::size_t)>& progress)
-      : ask_(progress ? std::function<bool(double)>([&](double) { return progress(done_); }) : nullptr),
-        meter_(ask_) {}
+  Progress(const std::function<bool(double)>& progress, std::size_t num_queries)
+      : meter_(progress, num_queries), is_wanted_(internal::current_meter != nullptr) {}
 
-  bool is_wanted() const { return ask_ != nullptr; }
-  void add(std::size_t steps) {
-    done_.fetch_add(steps, std::memory_order_relaxed);
-    internal::cancellation_point();
+  bool is_wanted() const { return is_wanted_; }
+  void add(std::size_t queries) {
+    const std::size_t done = done_.fetch_add(queries, std::memory_order_relaxed) + queries;
+    if (internal::current_meter != nullptr) meter_(done);  // no other thread has one
   }
 
  private:
   std::atomic<std::size_t> done_ = 0;
-  std::function<bool(double)> ask_;
   internal::ProgressMeter meter_;
+  bool is_wanted_;
 };
 
-/// Counts the steps of one thread and tells of every 256 of them.
+/// Counts the queries of one thread and tells of every 256 of them.
 class Meter {
  public:
   explicit Meter(Progress& progress) : progress_(&progress) {}
@@ -73,9 +71,7 @@ class Meter {
 };
 
 inline LocateOptions locate_options(const EvaluateOptions& options) {
-  return {.tolerance = options.tolerance,
-          .project = options.outside == Outside::project,
-          .threads = options.threads};
+  return {.tolerance = options.tolerance, .project = options.outside == Outside::project};
 }
 
 /// The answers of queries that location leaves outside, `width` numbers each. Several threads may call
@@ -107,18 +103,15 @@ class OutsideAnswers {
   }
   /// Replaces the values of those that get the one at the nearest vertex. `values`: by vertex id.
   void finish(const PointLocator& locator, std::span<const double> values, std::span<double> result,
-              Progress& progress) const {
+              unsigned threads) const {
     if (beyond_.empty()) return;
-    std::atomic<std::size_t> done = 0;
-    locator.nearest(
-        coordinates_,
-        [&](std::size_t i, VertexId v) {
-          if (v != invalid_vertex)
-            std::copy_n(values.data() + index(v) * width_, width_, result.data() + beyond_[i] * width_);
-          if (progress.is_wanted() && done.fetch_add(1, std::memory_order_relaxed) % 256 == 255)
-            progress.add(256);
-        },
-        options_.threads);
+    locator.nearest(coordinates_,
+                    [&](std::size_t i, VertexId v) {
+                      if (v != invalid_vertex)
+                        std::copy_n(values.data() + index(v) * width_, width_,
+                                    result.data() + beyond_[i] * width_);
+                    },
+                    {.threads = threads});
   }
 
  private:

@@ -23,12 +23,12 @@ LinearInterpolator::LinearInterpolator(const Triangulation& triangulation, std::
 }
 
 void LinearInterpolator::evaluate(std::span<const double> queries, std::span<double> result,
-                                  const EvaluateOptions& options) const {
+                                  const EvaluateOptions& options, const Execution& how) const {
   const auto d = static_cast<std::size_t>(triangulation_.dimension());
   require_size(result.size(), queries.size() / d * columns_, "the result");
   if (!options.fill.empty()) require_size(options.fill.size(), columns_, "the constants outside");
   const Complex complex = triangulation_.complex();
-  queries::Progress progress(options.progress);
+  queries::Progress progress(how.progress, queries.size() / d);
   queries::OutsideAnswers beyond(options, queries, d, columns_);
   const auto answer = [&](std::size_t query, const LocatedPoint& where) {
     double* const at = result.data() + query * columns_;
@@ -51,17 +51,18 @@ void LinearInterpolator::evaluate(std::span<const double> queries, std::span<dou
       answer(query, where);
     };
   };
-  locator_.impl_->locate(queries, queries::locate_options(options), {}, {.make = make_visit});
-  beyond.finish(locator_, values_, result, progress);
+  locator_.impl_->locate(queries, queries::locate_options(options), {.threads = how.threads},
+                         {.make = make_visit});
+  beyond.finish(locator_, values_, result, how.threads);
 }
 
 void LinearInterpolator::gradients(std::span<const double> queries, std::span<double> result,
-                                   const EvaluateOptions& options) const {
+                                   const EvaluateOptions& options, const Execution& how) const {
   const auto d = static_cast<std::size_t>(triangulation_.dimension());
   const std::size_t width = columns_ * d;
   require_size(result.size(), queries.size() / d * width, "the result");
   const Complex complex = triangulation_.complex();
-  queries::Progress progress(options.progress);
+  queries::Progress progress(how.progress, queries.size() / d);
   queries::OutsideAnswers beyond(options, queries, d, width);
   const auto make_visit = [&]() -> PointLocator::Visit {
     return [&, meter = Meter(progress), last = CellId{invalid_cell}, points = std::vector<const double*>(),
@@ -87,7 +88,8 @@ void LinearInterpolator::gradients(std::span<const double> queries, std::span<do
       std::copy(gradient.begin(), gradient.end(), at);
     };
   };
-  locator_.impl_->locate(queries, queries::locate_options(options), {}, {.make = make_visit});
+  locator_.impl_->locate(queries, queries::locate_options(options), {.threads = how.threads},
+                         {.make = make_visit});
 }
 
 }  // namespace delone

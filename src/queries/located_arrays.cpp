@@ -25,16 +25,16 @@ SignedIndex row_of(const LocatedPoint& where, const CellNumbers& numbers) {
 }  // namespace
 
 void PointLocator::locate(std::span<const double> queries, const LocateOptions& options,
-                          const CellNumbers& numbers, const LocatedArrays& to) const {
+                          const CellNumbers& numbers, const LocatedArrays& to, const Execution& how) const {
   const std::size_t count = queries.size() / static_cast<std::size_t>(impl_->dimension),
                     width = static_cast<std::size_t>(impl_->affine_dimension + 1);
   require_size(to.kinds, count, "kinds");
   require_size(to.cells, count, "cells");
   require_size(to.barycentric, count * width, "barycentric coordinates");
   require_size(to.distances, count, "distances");
-  LocateOptions how = options;
-  how.coordinates = !to.barycentric.empty();
-  locate(queries, how, [&](std::size_t query, const LocatedPoint& where) {
+  LocateOptions wanted = options;
+  wanted.coordinates = !to.barycentric.empty();
+  const auto put = [&](std::size_t query, const LocatedPoint& where) {
     if (!to.kinds.empty()) to.kinds[query] = where.kind;
     if (!to.cells.empty()) to.cells[query] = row_of(where, numbers);
     if (!to.distances.empty()) to.distances[query] = where.distance;
@@ -44,11 +44,12 @@ void PointLocator::locate(std::span<const double> queries, const LocateOptions& 
       std::ranges::copy(where.barycentric, out.begin());
     else
       std::ranges::fill(out, std::numeric_limits<double>::quiet_NaN());
-  });
+  };
+  locate(queries, wanted, put, how);
 }
 
 LocatedPoints PointLocator::locate(std::span<const double> queries, const LocateOptions& options,
-                                   const CellNumbers& numbers) const {
+                                   const CellNumbers& numbers, const Execution& how) const {
   const std::size_t count = queries.size() / static_cast<std::size_t>(impl_->dimension),
                     width = static_cast<std::size_t>(impl_->affine_dimension + 1);
   LocatedPoints result;
@@ -60,9 +61,9 @@ LocatedPoints PointLocator::locate(std::span<const double> queries, const Locate
   } catch (const std::bad_alloc&) {
     throw Error(Errc::out_of_memory, "not enough memory for the places of the queries");
   }
-  LocateOptions how = options;
-  how.coordinates = false;
-  locate(queries, how, [&](std::size_t query, const LocatedPoint& where) {
+  LocateOptions wanted = options;
+  wanted.coordinates = false;
+  const auto put = [&](std::size_t query, const LocatedPoint& where) {
     result.kinds[query] = where.kind;
     result.cells[query] = row_of(where, numbers);
     const auto begin = result.face_rows.begin() + static_cast<std::ptrdiff_t>(query * width);
@@ -73,7 +74,8 @@ LocatedPoints PointLocator::locate(std::span<const double> queries, const Locate
             impl_->triangulation.row_of(impl_->complex.vertex(where.cell, static_cast<int>(i))));
     std::sort(begin, end);
     result.face_offsets[query + 1] = end - begin;
-  });
+  };
+  locate(queries, wanted, put, how);
   // Faces are as long as lists at most, so they can move forward in place.
   auto end = result.face_rows.begin();
   for (std::size_t query = 0; query < count; ++query) {

@@ -12,6 +12,7 @@
 #include <delone/natural_neighbors.hpp>
 
 #include "base/length.hpp"
+#include "base/progress_meter.hpp"
 #include "queries/barycentric.hpp"
 #include "queries/evaluation.hpp"
 #include "queries/natural_search.hpp"
@@ -40,7 +41,9 @@ struct NaturalNeighborCoordinates::Impl {
   PointLocator locator;
 };
 
-NaturalNeighborCoordinates::NaturalNeighborCoordinates(const Triangulation& triangulation) {
+NaturalNeighborCoordinates::NaturalNeighborCoordinates(const Triangulation& triangulation,
+                                                       const Execution& how) {
+  const internal::ProgressMeter meter(how.progress);
   try {
     impl_ = std::make_unique<Impl>(triangulation);
   } catch (const std::bad_alloc&) {
@@ -58,7 +61,8 @@ namespace {
 /// of a flat. x' is no vector of doubles in general; what is wanted is one in the hull.
 class InnerPoint {
  public:
-  InnerPoint(const NaturalCenters& centers, const LocateOptions& how) : centers_(centers), how_(how) {}
+  InnerPoint(const NaturalCenters& centers, const LocateOptions& options)
+      : centers_(centers), options_(options) {}
 
   /// Finds a point x' + t·(c − x') in the hull, rounded, where c is the centroid of the cell. Returns false
   /// if there is none near enough: rounding leaves the flat of the points, or the cell is as thin as a
@@ -85,9 +89,9 @@ class InnerPoint {
     }
     const double length = internal::length_of(d, [&](std::size_t j) { return to_centroid[j]; });
     double t = 0, farthest = 0x1p-20 * length;
-    if (how_.tolerance > 0) {
+    if (options_.tolerance > 0) {
       t = 0x1p-30;
-      const double room = how_.tolerance - where.distance;
+      const double room = options_.tolerance - where.distance;
       if (room >= 0) {
         if (t * length > room) t = room / length;
         farthest = std::max(room, 0x1p-48 * largest);
@@ -134,7 +138,7 @@ class InnerPoint {
 
  private:
   const NaturalCenters& centers_;
-  LocateOptions how_;
+  LocateOptions options_;
   std::vector<const double*> corners_;
   std::vector<double> start_;
 };
@@ -142,19 +146,21 @@ class InnerPoint {
 }  // namespace
 
 void NaturalNeighborCoordinates::find(std::span<const double> queries, const Visit& visit,
-                                      bool with_gradients) const {
-  find(queries, {}, visit, with_gradients);
+                                      bool with_gradients, const Execution& how) const {
+  find(queries, {}, visit, with_gradients, how);
 }
 
-void NaturalNeighborCoordinates::find(std::span<const double> queries, const LocateOptions& how,
-                                      const Visit& visit, bool with_gradients) const {
+void NaturalNeighborCoordinates::find(std::span<const double> queries, const LocateOptions& options,
+                                      const Visit& visit, bool with_gradients, const Execution& how) const {
+  const internal::ProgressMeter meter(how.progress);
   find_by_threads(
-      queries, how, [&] { return Visit(std::cref(visit)); }, with_gradients);
+      queries, options, [&] { return Visit(std::cref(visit)); }, with_gradients, how.threads);
 }
 
-void NaturalNeighborCoordinates::find_by_threads(std::span<const double> queries, const LocateOptions& how,
+void NaturalNeighborCoordinates::find_by_threads(std::span<const double> queries,
+                                                 const LocateOptions& options,
                                                  const std::function<Visit()>& make_visit,
-                                                 bool with_gradients) const {
+                                                 bool with_gradients, unsigned threads) const {
   const NaturalCenters& centers = impl_->centers;
   const std::size_t d = centers.dimension();
   struct Searching {
@@ -206,10 +212,10 @@ void NaturalNeighborCoordinates::find_by_threads(std::span<const double> queries
   };
   const auto make = [&]() -> PointLocator::Visit {
     const auto own = std::shared_ptr<Searching>(
-        new Searching{NaturalSearch(centers), InnerPoint(centers, how), make_visit()});
+        new Searching{NaturalSearch(centers), InnerPoint(centers, options), make_visit()});
     return [&, own](std::size_t query, const LocatedPoint& where) { answer(*own, query, where); };
   };
-  impl_->locator.impl_->locate(queries, how, {.least_part = 64}, {.make = make});
+  impl_->locator.impl_->locate(queries, options, {.threads = threads, .least_part = 64}, {.make = make});
 }
 
 namespace {
@@ -318,8 +324,8 @@ class Interpolant {
 NaturalNeighborInterpolator::NaturalNeighborInterpolator(const Triangulation& triangulation,
                                                          std::span<const double> values, std::size_t columns,
                                                          bool smooth, std::span<const double> site_gradients,
-                                                         const Progress& progress)
-    : triangulation_(triangulation), coordinates_(triangulation), columns_(columns), smooth_(smooth) {
+                                                         const Execution& how)
+    : triangulation_(triangulation), coordinates_(triangulation, how), columns_(columns), smooth_(smooth) {
   const auto d = static_cast<std::size_t>(triangulation.dimension());
   require_size(values.size(), triangulation.num_rows() * columns, "values");
   if (!site_gradients.empty())
@@ -329,13 +335,13 @@ NaturalNeighborInterpolator::NaturalNeighborInterpolator(const Triangulation& tr
   if (!site_gradients.empty()) {
     site_gradients_ = queries::by_vertex(triangulation, site_gradients, columns * d);
   } else if (smooth) {
-    queries::Progress told(progress);
-    Meter meter(told);
+    const std::vector<VertexId> vertices = triangulation.complex().finite_vertices();
+    internal::ProgressMeter meter(how.progress, vertices.size());
     std::vector<double> estimated(values_.size() * d);
-    for (const VertexId v : triangulation.complex().finite_vertices()) {
-      meter();
-      queries::estimate_gradients(coordinates_.impl_->centers, v, values_, columns,
-                                  estimated.data() + index(v) * columns * d);
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      meter(i);
+      queries::estimate_gradients(coordinates_.impl_->centers, vertices[i], values_, columns,
+                                  estimated.data() + index(vertices[i]) * columns * d);
     }
     site_gradients_ = std::move(estimated);
   }
@@ -352,11 +358,11 @@ void NaturalNeighborInterpolator::site_gradient(VertexId v, std::span<double> re
 }
 
 void NaturalNeighborInterpolator::evaluate(std::span<const double> queries, std::span<double> result,
-                                           const EvaluateOptions& options) const {
+                                           const EvaluateOptions& options, const Execution& how) const {
   const auto d = static_cast<std::size_t>(triangulation_.dimension());
   require_size(result.size(), queries.size() / d * columns_, "the result");
   if (!options.fill.empty()) require_size(options.fill.size(), columns_, "the constants outside");
-  queries::Progress progress(options.progress);
+  queries::Progress progress(how.progress, queries.size() / d);
   queries::OutsideAnswers beyond(options, queries, d, columns_);
   const auto make_visit = [&]() -> NaturalNeighborCoordinates::Visit {
     return [&, meter = Meter(progress),
@@ -372,16 +378,16 @@ void NaturalNeighborInterpolator::evaluate(std::span<const double> queries, std:
         interpolant.plain(found, at, nullptr);
     };
   };
-  coordinates_.find_by_threads(queries, queries::locate_options(options), make_visit, false);
-  beyond.finish(coordinates_.impl_->locator, values_, result, progress);
+  coordinates_.find_by_threads(queries, queries::locate_options(options), make_visit, false, how.threads);
+  beyond.finish(coordinates_.impl_->locator, values_, result, how.threads);
 }
 
 void NaturalNeighborInterpolator::gradients(std::span<const double> queries, std::span<double> result,
-                                            const EvaluateOptions& options) const {
+                                            const EvaluateOptions& options, const Execution& how) const {
   const auto d = static_cast<std::size_t>(triangulation_.dimension());
   const std::size_t width = columns_ * d;
   require_size(result.size(), queries.size() / d * width, "the result");
-  queries::Progress progress(options.progress);
+  queries::Progress progress(how.progress, queries.size() / d);
   const queries::OutsideAnswers beyond(options, queries, d, width);
   const auto make_visit = [&]() -> NaturalNeighborCoordinates::Visit {
     return [&, meter = Meter(progress), value = std::vector<double>(columns_),
@@ -399,7 +405,7 @@ void NaturalNeighborInterpolator::gradients(std::span<const double> queries, std
         interpolant.plain(found, value.data(), at);
     };
   };
-  coordinates_.find_by_threads(queries, queries::locate_options(options), make_visit, true);
+  coordinates_.find_by_threads(queries, queries::locate_options(options), make_visit, true, how.threads);
 }
 
 }  // namespace delone

@@ -251,7 +251,8 @@ const PointLocator::Edges& PointLocator::edges() const {
 /// Calls each(search, query, nearest vertex) for all queries; without a vertex, each(nullptr, query,
 /// invalid_vertex).
 template <class Each>
-void PointLocator::each_nearest(std::span<const double> queries, unsigned threads, Each each) const {
+void PointLocator::each_nearest(std::span<const double> queries, const Execution& how, Each each) const {
+  const internal::ProgressMeter meter(how.progress);
   if (impl_->points.form == kernel::RowForm::furthest_point)
     throw Error(Errc::unsupported,
                 "the vertex of least distance is not found by a furthest-site triangulation");
@@ -293,22 +294,22 @@ void PointLocator::each_nearest(std::span<const double> queries, unsigned thread
       each(&walk->to, query, start);
     };
   };
-  impl_->locate(queries, {.threads = threads}, {.least_part = 1024}, {.make = make_visit});
+  impl_->locate(queries, {}, {.threads = how.threads, .least_part = 1024}, {.make = make_visit});
 }
 
 void PointLocator::nearest(std::span<const double> queries,
                            const std::function<void(std::size_t query, VertexId nearest)>& visit,
-                           unsigned threads) const {
-  each_nearest(queries, threads, [&](Nearest*, std::size_t query, VertexId v) { visit(query, v); });
+                           const Execution& how) const {
+  each_nearest(queries, how, [&](Nearest*, std::size_t query, VertexId v) { visit(query, v); });
 }
 
 void PointLocator::nearest(
     std::span<const double> queries, std::size_t k,
     const std::function<void(std::size_t query, std::span<const VertexId> nearest)>& visit,
-    unsigned threads) const {
+    const Execution& how) const {
   if (k == 0) throw Error(Errc::invalid_argument, "k, the number of nearest vertices, is at least 1, not 0");
   const auto d = static_cast<std::size_t>(impl_->dimension);
-  each_nearest(queries, threads, [&](Nearest* search, std::size_t query, VertexId v) {
+  each_nearest(queries, how, [&](Nearest* search, std::size_t query, VertexId v) {
     if (search == nullptr)
       visit(query, {});
     else

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Batches of queries by a certified visibility walk. The nearest vertex is in nearest_vertex.cpp.
+#include "base/progress_meter.hpp"
 #include "queries/point_locator_impl.hpp"
 
 #include "base/require_finite.hpp"
@@ -213,13 +214,14 @@ void dispatch(const PointLocator::Impl& where, const auto&... arguments) {
 
 }  // namespace
 
-void PointLocator::locate(std::span<const double> queries, const Visit& visit) const {
-  locate(queries, {}, visit);
+void PointLocator::locate(std::span<const double> queries, const Visit& visit, const Execution& how) const {
+  locate(queries, {}, visit, how);
 }
 
-void PointLocator::locate(std::span<const double> queries, const LocateOptions& options,
-                          const Visit& visit) const {
-  impl_->locate(queries, options, {}, {.shared = &visit});
+void PointLocator::locate(std::span<const double> queries, const LocateOptions& options, const Visit& visit,
+                          const Execution& how) const {
+  const internal::ProgressMeter meter(how.progress);
+  impl_->locate(queries, options, {.threads = how.threads}, {.shared = &visit});
 }
 
 void PointLocator::Impl::locate(std::span<const double> queries, const LocateOptions& options,
@@ -228,7 +230,6 @@ void PointLocator::Impl::locate(std::span<const double> queries, const LocateOpt
   if (options.tolerance > 0)
     internal::require_tolerance_within(options.tolerance, longest_side(),
                                        "the set of points, whose longest side is");
-  batch.threads = options.threads;
   if (options.tolerance > 0 || options.project)
     batch.least_part = std::min<std::size_t>(batch.least_part, 512);
   try {
@@ -241,8 +242,9 @@ void PointLocator::Impl::locate(std::span<const double> queries, const LocateOpt
 
 void PointLocator::cells_within(std::span<const double> queries, double radius,
                                 const std::function<bool(std::size_t, CellId)>& visit,
-                                unsigned threads) const {
+                                const Execution& how) const {
   internal::require_tolerance(radius, "radius");
+  const internal::ProgressMeter meter(how.progress);
   const auto width = static_cast<std::size_t>(impl_->dimension);
   const auto make_visit = [&]() -> Visit {
     const auto near =
@@ -252,7 +254,7 @@ void PointLocator::cells_within(std::span<const double> queries, double radius,
                        [&](CellId cell) { return visit(query, cell); });
     };
   };
-  impl_->locate(queries, {.coordinates = false, .threads = threads}, {.least_part = 512},
+  impl_->locate(queries, {.coordinates = false}, {.threads = how.threads, .least_part = 512},
                 {.make = make_visit});
 }
 

@@ -88,7 +88,7 @@ struct delone::PointLocator::Impl {
       });
     }
   }
-  /// PointLocator::locate(). The threads are those of the options.
+  /// PointLocator::locate().
   void locate(std::span<const double> queries, const LocateOptions& options, queries::BatchOptions batch,
               const queries::Visits& visits) const;
   /// The longest side of the bounding box of the vertices; 0 if there are none. Kept.

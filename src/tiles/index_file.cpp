@@ -3,6 +3,7 @@
 
 #include "base/require_dimension.hpp"
 #include "io/file.hpp"
+#include "messages/in_quotes.hpp"
 #include "tiles/json_members.hpp"
 #include "tiles/part_file.hpp"
 
@@ -95,7 +96,7 @@ TilesIndex read_tiles_index(const std::string& folder, std::string& fingerprint)
       part.file = given.text("file");
       if (part.file != file)
         io::fail(Errc::bad_format, "{}: file: expected {}, found {}", given.name(), file,
-                 in_quotes(part.file));
+                 messages::in_quotes(part.file));
       part.first_cell = given.number("first_cell", next, next);
       part.num_cells = given.number("num_cells", 0, index.num_cells - next);
       part.num_points = given.number("num_points", 0, index.num_points);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "io/file.hpp"
+#include "messages/in_quotes.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -27,7 +28,7 @@ class JsonMembers {
   /// index of tiles".
   void require_format(const char* expected, std::int64_t version, const char* what) const {
     if (const std::string found = text("format"); found != expected)
-      io::fail(Errc::bad_format, "{}: not {}: its format is {}", name_, what, in_quotes(found));
+      io::fail(Errc::bad_format, "{}: not {}: its format is {}", name_, what, messages::in_quotes(found));
     if (const std::int64_t found = number("version", 1, std::numeric_limits<std::int64_t>::max());
         found != version)
       io::fail(Errc::unsupported, "{}: version {} of tiles; this program knows version {}", name_, found,
@@ -64,7 +65,7 @@ class JsonMembers {
                                     [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); });
     if (digits.size() != 16 * n || !is_hex)
       io::fail(Errc::bad_format, "{}: {}: expected {} hexadecimal digits, found {}", name_, member, 16 * n,
-               in_quotes(digits));
+               messages::in_quotes(digits));
     for (std::size_t i = 0; i < n; ++i) result[i] = std::stoull(digits.substr(16 * i, 16), nullptr, 16);
     return result;
   }

@@ -3,6 +3,7 @@
 #include <delone/triangulation.hpp>
 
 #include "base/guarded.hpp"
+#include "base/progress_meter.hpp"
 #include "base/quick_rounds.hpp"
 #include "base/require_dimension.hpp"
 #include "base/require_tolerance.hpp"
@@ -68,8 +69,8 @@ InsertResult Triangulation::insert_point(std::span<const double> point, double w
 
 void Triangulation::apply(const RowEdits& edits) {
   internal::guarded("the edit", [&] {
-    impl_->edit(
-        {edits.remove, edits.move, edits.weigh, edits.to, edits.weights, edits.insert, edits.insert_weights});
+    impl_->edit({edits.remove, edits.move, edits.reweight, edits.to, edits.weights, edits.insert,
+                 edits.insert_weights});
   });
 }
 
@@ -232,7 +233,8 @@ ComplexData Triangulation::to_data(bool with_points) const {
   return data;
 }
 
-CanonicalHash Triangulation::hash(unsigned threads) const {
+CanonicalHash Triangulation::hash(const Execution& how) const {
+  const internal::ProgressMeter meter(how.progress);
   const std::vector<VertexId> vertices = complex().finite_vertices();
   const auto weight = [&](VertexId v) { return impl_->points().point(index(v))[impl_->ambient()]; };
   const bool with_weights =
@@ -240,7 +242,7 @@ CanonicalHash Triangulation::hash(unsigned threads) const {
                                        [&](VertexId v) { return weight(v) != weight(vertices.front()); });
   std::vector<complex::PointTag> tags(complex().num_vertex_slots());  // by vertex id
   complex::HashAccumulator hash;
-  complex::add_in_parts(threads, vertices.size(), hash,
+  complex::add_in_parts(how.threads, vertices.size(), hash,
                         [&](std::size_t first, std::size_t last, complex::HashAccumulator& some) {
                           for (std::size_t i = first; i < last; ++i) {
                             const Index v = index(vertices[i]);
@@ -250,7 +252,7 @@ CanonicalHash Triangulation::hash(unsigned threads) const {
                           }
                         });
   const Complex now = complex();
-  complex::add_in_parts(threads, now.num_cell_slots(), hash,
+  complex::add_in_parts(how.threads, now.num_cell_slots(), hash,
                         [&](std::size_t first, std::size_t last, complex::HashAccumulator& some) {
                           for (std::size_t slot = first; slot < last; ++slot) {
                             const CellId c{static_cast<Index>(slot)};

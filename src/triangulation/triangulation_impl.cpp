@@ -167,7 +167,7 @@ engine::Outcome Triangulation::Impl::remove_at_once(std::size_t row) {
   if (v == invalid_index) return engine::Outcome::flat;
   const engine::Change change = state->engine->remove(v, index(state->cell_of(v)));
   if (!change.is_done()) return change.outcome;
-  state->update_cells(change.made);
+  state->update_cells(change.created_cells);
   state->cell_of_vertex[v] = invalid_cell;
   --state->num_vertices;
   state->sites.detach(row);
@@ -181,7 +181,7 @@ bool Triangulation::Impl::move_at_once(std::size_t row, std::span<const double> 
   if (!frame_of(*state->engine).contains(to.data())) return false;
   if (affine_dimension() < dimension() && !state->affine_hull.contains(to.data())) return false;
   const engine::Change change = state->engine->move(v, index(state->cell_of(v)), to.data());
-  state->update_cells(change.made);
+  state->update_cells(change.created_cells);
   return change.is_done();
 }
 
@@ -197,9 +197,9 @@ void Triangulation::Impl::undo() {
   Changes made;
   if (recording.changes) {
     made = construction::Construction::changes_since(*state, *last_edit);
-    std::swap(made.killed, made.born);
-    std::swap(made.came, made.gone);
-    std::swap(made.hid, made.reappeared);
+    std::swap(made.removed_cells, made.created_cells);
+    std::swap(made.added_vertices, made.removed_vertices);
+    std::swap(made.hidden_vertices, made.reappeared_vertices);
   }
   construction::Construction::roll_back(*state, *std::exchange(last_edit, nullptr));
   changes = std::move(made);

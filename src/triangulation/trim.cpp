@@ -278,7 +278,8 @@ class Trimming {
 
 }  // namespace
 
-TrimResult trim(const Triangulation& triangulation, double tolerance) {
+TrimResult trim(const Triangulation& triangulation, double tolerance, const Execution& how) {
+  const internal::ProgressMeter meter(how.progress);
   internal::require_tolerance(tolerance);
   return internal::guarded("the trimmed triangulation", [&] {
     ComplexData data = triangulation.to_data();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // to_html(): a scene of each kind of result.
+#include "base/progress_meter.hpp"
 #include "base/quick_rounds.hpp"
 #include "faces/shapes_of_cells.hpp"
 #include "io/collect.hpp"
@@ -158,7 +159,8 @@ void take_facets(Scene& scene, const IntersectionData& data, RayEnds& ends) {
 }  // namespace
 }  // namespace view
 
-std::string to_html(const ComplexData& data, const HtmlOptions& options) {
+std::string to_html(const ComplexData& data, const HtmlOptions& options, const Execution& how) {
+  const internal::ProgressMeter meter(how.progress);
   return io::guarded("page", [&] {
     io::validate(data, "page");
     io::require_finite(data.points, data.dimension, "page");
@@ -185,7 +187,8 @@ std::string to_html(const ComplexData& data, const HtmlOptions& options) {
   });
 }
 
-std::string to_html(const HullData& data, const HtmlOptions& options) {
+std::string to_html(const HullData& data, const HtmlOptions& options, const Execution& how) {
+  const internal::ProgressMeter meter(how.progress);
   return io::guarded("page", [&] {
     io::validate(data, "page");
     io::require_finite(data.points, data.dimension, "page");
@@ -212,7 +215,8 @@ std::string to_html(const HullData& data, const HtmlOptions& options) {
   });
 }
 
-std::string to_html(const IntersectionData& data, const HtmlOptions& options) {
+std::string to_html(const IntersectionData& data, const HtmlOptions& options, const Execution& how) {
+  const internal::ProgressMeter meter(how.progress);
   return io::guarded("page", [&] {
     io::validate(data, "page");
     if (data.state != IntersectionState::full)
@@ -249,7 +253,9 @@ std::string to_html(const IntersectionData& data, const HtmlOptions& options) {
   });
 }
 
-std::string to_html(const Diagram& diagram, const HtmlOptions& options, const std::optional<Box>& box) {
+std::string to_html(const Diagram& diagram, const HtmlOptions& options, const std::optional<Box>& box,
+                    const Execution& how) {
+  const internal::ProgressMeter meter(how.progress);
   return io::guarded("page", [&] {
     const int d = diagram.dimension();
     if (d > 3)
@@ -260,7 +266,7 @@ std::string to_html(const Diagram& diagram, const HtmlOptions& options, const st
     scene.cell_word = "region";
     scene.num_cells = diagram.num_regions();
     scene.solid = d == 3;
-    scene.volume = diagram.region_volumes(shown);
+    scene.volume = diagram.region_volumes(shown, how);
     view::take_regions(scene, diagram, shown);
     scene.rows.clear();
     bool is_weighted = false;

@@ -101,16 +101,16 @@ class DiagramClipper {
 }  // namespace
 
 Diagram::Diagram(const Triangulation& triangulation, const std::function<double(VertexId)>& weight,
-                 const DiagramOptions& options)
+                 const DiagramOptions& options, const Execution& how)
     : dimension_(triangulation.dimension()),
       affine_dimension_(triangulation.affine_dimension()),
       kind_(kind_of_dual(triangulation.kind())),
       has_ridges_(options.parts == DiagramParts::all || options.tolerance > 0),
       tolerance_(options.tolerance) {
   internal::require_tolerance(tolerance_);
-  const internal::ProgressMeter meter(options.progress);
+  const internal::ProgressMeter meter(how.progress);
   internal::guarded("the diagram", [&] {
-    voronoi::VoronoiBuilder(triangulation, weight, options.threads, *this).run();
+    voronoi::VoronoiBuilder(triangulation, weight, how.threads, *this).run();
     if (tolerance_ > 0) simplify();
   });
   if (options.parts == DiagramParts::all || !has_ridges_) return;
@@ -199,10 +199,10 @@ std::vector<std::vector<Index>> Diagram::cells_of_regions() const {
   return cells;
 }
 
-std::vector<double> Diagram::ridge_volumes(unsigned threads) const {
+std::vector<double> Diagram::ridge_volumes(const Execution& how) const {
   require_ridges();
   if (exact_ != nullptr) {
-    const std::vector<double> exact = exact_->ridge_volumes(threads);
+    const std::vector<double> exact = exact_->ridge_volumes(how);
     return internal::guarded("the diagram", [&] {
       std::vector<double> volumes;
       for (const Index ridge : ridge_of_exact_) volumes.push_back(exact[ridge]);
@@ -210,12 +210,13 @@ std::vector<double> Diagram::ridge_volumes(unsigned threads) const {
     });
   }
   return internal::guarded("the diagram", [&] {
+    const internal::ProgressMeter meter(how.progress);
     const auto cells = cells_of_regions();
     std::vector<double> volumes = voronoi::measure_ridges(
         {static_cast<std::size_t>(affine_dimension_), ambient(), sites_, vertices_, cell_regions_,
          cell_vertex_, cells, ridge_points_, point_region_, ridge_vertices_, ridge_offsets_},
         std::vector<unsigned char>(num_regions(), 1));
-    internal::for_parts(threads, volumes.size(), ridges_in_part,
+    internal::for_parts(how.threads, volumes.size(), ridges_in_part,
                         [&](std::size_t first, std::size_t last, const internal::StopPoint& stop) {
                           for (std::size_t i = first; i < last; ++i) {
                             stop();
@@ -264,11 +265,12 @@ std::vector<double> Diagram::volumes_of(const std::vector<unsigned char>& wanted
   return volumes;
 }
 
-std::vector<double> Diagram::region_volumes(unsigned threads) const {
+std::vector<double> Diagram::region_volumes(const Execution& how) const {
   require_ridges();
-  if (exact_ != nullptr) return exact_->region_volumes(threads);
+  if (exact_ != nullptr) return exact_->region_volumes(how);
   return internal::guarded("the diagram", [&] {
-    std::vector<double> volumes = volumes_of(bounded_, threads);
+    const internal::ProgressMeter meter(how.progress);
+    std::vector<double> volumes = volumes_of(bounded_, how.threads);
     for (std::size_t r = 0; r < volumes.size(); ++r)
       if (!bounded_[r]) volumes[r] = infinity;
     return volumes;
@@ -335,16 +337,17 @@ bool Diagram::is_inside(std::size_t r, const Box& box) const {
   return true;
 }
 
-std::vector<double> Diagram::region_volumes(const Box& box, unsigned threads) const {
+std::vector<double> Diagram::region_volumes(const Box& box, const Execution& how) const {
   check_box(box);
-  if (exact_ != nullptr) return exact_->region_volumes(box, threads);
+  if (exact_ != nullptr) return exact_->region_volumes(box, how);
   return internal::guarded("the diagram", [&] {
+    const internal::ProgressMeter meter(how.progress);
     std::vector<unsigned char> inside(num_regions());
     for (std::size_t r = 0; r < num_regions(); ++r) inside[r] = is_inside(r, box) ? 1 : 0;
-    std::vector<double> volumes = volumes_of(inside, threads);
+    std::vector<double> volumes = volumes_of(inside, how.threads);
     const Neighbors neighbors(*this);
     constexpr std::size_t regions_in_part = 64;
-    internal::work_in_parts(threads, num_regions(), regions_in_part, [&] {
+    internal::work_in_parts(how.threads, num_regions(), regions_in_part, [&] {
       return [&, clipper = DiagramClipper(*this, neighbors, box)](std::size_t first, std::size_t last,
                                                                   const internal::StopPoint& stop) mutable {
         for (std::size_t r = first; r < last; ++r) {
@@ -358,15 +361,20 @@ std::vector<double> Diagram::region_volumes(const Box& box, unsigned threads) co
   });
 }
 
-void Diagram::for_each_clipped_region(
-    const Box& box, const std::function<void(std::size_t, const ClippedRegion&)>& visit) const {
+void Diagram::for_each_clipped_region(const Box& box,
+                                      const std::function<void(std::size_t, const ClippedRegion&)>& visit,
+                                      const Execution& how) const {
   check_box(box);
   if (dimension_ > 3)
     throw Error(Errc::unsupported, "the geometry of clipped regions is available up to dimension 3");
   const Diagram& exact = exact_ != nullptr ? *exact_ : *this;
   const Neighbors neighbors(exact);
   DiagramClipper clipper(exact, neighbors, box);
-  for (std::size_t r = 0; r < num_regions(); ++r) visit(r, clipper.clip(r).geometry());
+  internal::ProgressMeter meter(how.progress, num_regions());
+  for (std::size_t r = 0; r < num_regions(); ++r) {
+    meter(r);
+    visit(r, clipper.clip(r).geometry());
+  }
 }
 
 Box Diagram::bounding_box(double margin) const {

@@ -16,7 +16,7 @@ namespace delone::voronoi {
 
 class VoronoiBuilder {
  public:
-  /// `threads`: as DiagramOptions::threads.
+  /// `threads`: as Execution::threads.
   VoronoiBuilder(const Triangulation& triangulation, const std::function<double(VertexId)>& weight,
                  unsigned threads, Diagram& out);
 

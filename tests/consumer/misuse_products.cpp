@@ -12,7 +12,7 @@ using Points = std::vector<std::array<double, 3>>;
 #if MISUSE == 0
 std::size_t correct(const Points& points) {
   const delone::ConvexHull hull(points);
-  const delone::Polytope& base = hull;
+  const delone::ConvexHullBase& base = hull;
   delone::ConvexHull<3> copy = hull.clone();
   copy.insert({1, 2, 3});
   const delone::Delaunay triangulation(points);
@@ -23,11 +23,11 @@ std::size_t correct(const Points& points) {
          furthest.num_regions();
 }
 #elif MISUSE == 1   // a base has no object of its own: nothing to delete
-void deleted(delone::Polytope* hull) { delete hull; }
+void deleted(delone::ConvexHullBase* hull) { delete hull; }
 #elif MISUSE == 2   // likewise
-void owned(std::unique_ptr<delone::Polyhedron> intersection) { intersection.reset(); }
+void owned(std::unique_ptr<delone::HalfspaceIntersectionBase> intersection) { intersection.reset(); }
 #elif MISUSE == 3   // nor to copy: that would cut the product off
-void sliced(const delone::ConvexHull<3>& hull) { const delone::Polytope copy = hull; }
+void sliced(const delone::ConvexHull<3>& hull) { const delone::ConvexHullBase copy = hull; }
 #elif MISUSE == 4   // copies are made by clone()
 delone::LowerHull<3> copied(const delone::LowerHull<3>& hull) { return hull; }
 #elif MISUSE == 5   // points of another dimension

@@ -24,7 +24,7 @@ test::Cells lists(const std::vector<SignedIndex>& offsets, const std::vector<Sig
   return result;
 }
 
-void expect_equal(const test::HullBruteForce& oracle, const Polytope& actual, bool with_cells) {
+void expect_equal(const test::HullBruteForce& oracle, const ConvexHullBase& actual, bool with_cells) {
   const HullData data = actual.to_data();
   const int k = data.affine_dimension;
   EXPECT_EQ(k, oracle.affine_dimension());

@@ -128,7 +128,7 @@ class Run {
         lists.to.insert(lists.to.end(), to.begin(), to.end());
       }
       if (EditHistory<Product>::has_weights && way < 3 && bytes_.below(2) == 0) {
-        lists.weigh.push_back(row);
+        lists.reweight.push_back(row);
         lists.weights.push_back(any_weight());
       }
     }

@@ -196,7 +196,7 @@ TEST(AllocationFailure, Constructions) {
     expect_throws_or_gives("HalfspaceIntersection", [&](Seen& seen) {
       const HalfspaceIntersection<> all(halfspaces_of(d, n), d);
       add_all(seen, all.to_data().vertices);
-      add(seen, all.is_bounded() ? all.volume() : 0);
+      add(seen, all.is_bounded() ? all.volume().value : 0);
       add(seen, static_cast<double>(all.clone().num_facets()));
     });
     expect_all_or_nothing(

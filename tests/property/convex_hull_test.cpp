@@ -33,7 +33,7 @@ void expect_euler_poincare(const Counts& f) {
   EXPECT_EQ(sum, f.size() % 2 == 0 ? 0 : 2);
 }
 
-void expect_valid(const Polytope& hull) {
+void expect_valid(const ConvexHullBase& hull) {
   const CheckReport report = check(hull.to_data());
   EXPECT_TRUE(report.ok) << report.violation;
   const Counts f = hull.f_vector();

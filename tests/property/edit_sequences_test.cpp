@@ -164,20 +164,21 @@ TYPED_TEST(EditsOneByOne, KillAndMakeWhatTheyMust) {
       const VertexId v = t.vertex_at(row);
       if (v == invalid_vertex) {
         t.remove(row);
-        EXPECT_TRUE(t.changes().killed.empty() && t.changes().born.empty());
-        EXPECT_EQ(t.changes().gone.size(), 1u);
+        EXPECT_TRUE(t.changes().removed_cells.empty() && t.changes().created_cells.empty());
+        EXPECT_EQ(t.changes().removed_vertices.size(), 1u);
         continue;
       }
       std::vector<CellId> star = t.complex().star(v);
       std::sort(star.begin(), star.end());
       t.remove(row);
-      EXPECT_EQ(t.changes().gone, std::vector{v});
-      // Cells of points that come back may be born and die on the way.
-      if (t.changes().reappeared.empty()) {
-        EXPECT_EQ(t.changes().killed, star);
+      EXPECT_EQ(t.changes().removed_vertices, std::vector{v});
+      // Cells of points that come back may be created and removed on the way.
+      if (t.changes().reappeared_vertices.empty()) {
+        EXPECT_EQ(t.changes().removed_cells, star);
       }
       for (const CellId c : star)
-        EXPECT_TRUE(std::binary_search(t.changes().killed.begin(), t.changes().killed.end(), c));
+        EXPECT_TRUE(
+            std::binary_search(t.changes().removed_cells.begin(), t.changes().removed_cells.end(), c));
 
       const std::vector<double> x = test::new_point(EditWorld::uniform, d, random);
       std::vector<CellId> zone;
@@ -190,13 +191,13 @@ TYPED_TEST(EditsOneByOne, KillAndMakeWhatTheyMust) {
         inserted = t.insert(x);
       }
       std::sort(zone.begin(), zone.end());
-      EXPECT_EQ(t.changes().killed, zone);
-      EXPECT_EQ(t.changes().came.size(), 1u);
+      EXPECT_EQ(t.changes().removed_cells, zone);
+      EXPECT_EQ(t.changes().added_vertices.size(), 1u);
       if (!inserted.inserted) continue;
-      EXPECT_EQ(t.changes().came, std::vector{inserted.vertex});
+      EXPECT_EQ(t.changes().added_vertices, std::vector{inserted.vertex});
       std::vector<CellId> made = t.complex().star(inserted.vertex);
       std::sort(made.begin(), made.end());
-      EXPECT_EQ(t.changes().born, made);
+      EXPECT_EQ(t.changes().created_cells, made);
     }
   }
 }
@@ -218,7 +219,7 @@ TEST(EditsOfHubs, RemoveAndMoveThem) {
     t.record_changes();
     t.remove(n);
     EXPECT_EQ(t.hash(), without.hash());
-    EXPECT_EQ(t.changes().gone, std::vector{hub});
+    EXPECT_EQ(t.changes().removed_vertices, std::vector{hub});
     t.undo();
     EXPECT_EQ(t.hash(), with);
     points.back() = 0.125;
@@ -240,7 +241,7 @@ TEST(EditsOfHiddenPoints, BringThemBack) {
     const std::vector<double> center(static_cast<std::size_t>(d), 0.5);
     const double heavy = 0.1 * d;
     t.insert(center, heavy);
-    const std::vector<VertexId> hid = t.changes().hid;
+    const std::vector<VertexId> hid = t.changes().hidden_vertices;
     EXPECT_EQ(t.num_hidden(), hid.size());
     EXPECT_GT(hid.size(), 0u);
     t.set_weight(n, 0.5 * heavy);
@@ -251,7 +252,7 @@ TEST(EditsOfHiddenPoints, BringThemBack) {
     t.set_weight(n, heavy);
     EXPECT_EQ(t.num_hidden(), hid.size());
     t.remove(n);
-    EXPECT_EQ(t.changes().reappeared, hid);
+    EXPECT_EQ(t.changes().reappeared_vertices, hid);
     EXPECT_EQ(t.num_hidden(), 0u);
     SeenTriangulation now(t);
     now.vertex_at.pop_back();
@@ -312,7 +313,7 @@ TEST(EditsOfHiddenPoints, ThatAreManyBringThemBack) {
               const std::vector<double> x = any_point();
               lists.to.insert(lists.to.end(), x.begin(), x.end());
             }
-            lists.weigh = {2, heavy + 5};
+            lists.reweight = {2, heavy + 5};
             lists.weights = {0.01, 2e-6};
             add(history.point(heavy + 1), history.weight(heavy + 1));
             add(any_point(), 0);
@@ -321,7 +322,7 @@ TEST(EditsOfHiddenPoints, ThatAreManyBringThemBack) {
           ASSERT_EQ(history.fault(), "");
           EXPECT_LT(history.product().num_hidden(), num_hidden / 2);
           if (on_record) {
-            EXPECT_EQ(history.product().changes().killed.size() == cells_before, are_most);
+            EXPECT_EQ(history.product().changes().removed_cells.size() == cells_before, are_most);
           }
           history.compare_with_batch();
           history.check_all_levels();
@@ -356,7 +357,7 @@ TEST(EditsOfHiddenPoints, ThatAreLeftInOnePlaceKeepTheVertex) {
     history.edit(others);
     history.edit(gone);
     EXPECT_EQ(history.fault(), "") << heaviest;
-    EXPECT_TRUE(history.product().changes().hid.empty()) << heaviest;
+    EXPECT_TRUE(history.product().changes().hidden_vertices.empty()) << heaviest;
     history.undo();
     history.undo();
     EXPECT_EQ(history.fault(), "") << heaviest;
@@ -369,7 +370,7 @@ TEST(EditsOfHiddenPoints, AreThoseOfFurthestSites) {
   t.record_changes();
   EXPECT_EQ(t.hidden_rows(), (std::vector<std::size_t>{4, 5, 6}));
   t.remove(0);
-  EXPECT_EQ(t.changes().reappeared.size(), 1u);
+  EXPECT_EQ(t.changes().reappeared_vertices.size(), 1u);
   EXPECT_EQ(t.hidden_rows(), (std::vector<std::size_t>{5, 6}));
   t.move(2, {9, 8.5});
   EXPECT_TRUE(t.is_hidden(6));
@@ -400,7 +401,7 @@ TEST(EditsOfOneType, TakeThePointsThatTheDimensionAsksFor) {
   const std::vector<double> weights{0.25, 0.5};
   r.set_weights(rows, weights);
   EXPECT_EQ(r.weight(r.vertex_at(3)), 0.5);
-  r.edit({.weigh = rows, .weights = std::vector<double>{0, 0}});
+  r.edit({.reweight = rows, .weights = std::vector<double>{0, 0}});
   EXPECT_EQ(r.weight(r.vertex_at(3)), 0.0);
 }
 

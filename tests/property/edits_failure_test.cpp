@@ -77,7 +77,7 @@ void expect_refused(Product& product, const EditLists& lists, Errc code, std::ve
   SCOPED_TRACE(message);
   const SeenTriangulation before(product);
   const Changes& changes = product.changes();
-  const std::vector<CellId> born = changes.born;
+  const std::vector<CellId> created = changes.created_cells;
   try {
     apply(product, lists);
     ADD_FAILURE() << "was taken";
@@ -87,7 +87,7 @@ void expect_refused(Product& product, const EditLists& lists, Errc code, std::ve
     EXPECT_EQ(error.what(), message);
   }
   EXPECT_TRUE(SeenTriangulation(product) == before);
-  EXPECT_EQ(product.changes().born, born);
+  EXPECT_EQ(product.changes().created_cells, created);
   EXPECT_TRUE(product.can_undo());
 }
 
@@ -128,17 +128,17 @@ TYPED_TEST(Edits, AreRefused) {
            Errc::bad_dimension, {});
     expect("insert[1]: the weight is not finite", {.insert = {0, 0, 1, 1}, .insert_weights = {1, infinity}},
            Errc::not_finite, {1});
-    expect("set_weights: 1 weight for 2 rows", {.weigh = {4, 5}, .weights = {1}}, Errc::bad_dimension, {});
-    expect("set_weights[1]: the weight for row 5 is not finite", {.weigh = {4, 5}, .weights = {1, nan}},
+    expect("set_weights: 1 weight for 2 rows", {.reweight = {4, 5}, .weights = {1}}, Errc::bad_dimension, {});
+    expect("set_weights[1]: the weight for row 5 is not finite", {.reweight = {4, 5}, .weights = {1, nan}},
            Errc::not_finite, {1});
     expect("set_weights[2]: row 4 is given twice, see set_weights[0]",
-           {.weigh = {4, 5, 4}, .weights = {1, 1, 1}}, bad, {2});
+           {.reweight = {4, 5, 4}, .weights = {1, 1, 1}}, bad, {2});
     expect("set_weights[1]: row 7 is removed, see remove[1]",
-           {.remove = {4, 7}, .weigh = {5, 7}, .weights = {1, 1}}, bad, {1});
-    expect("set_weights: row 1 was removed", {.weigh = {1}, .weights = {1}}, bad, {0});
+           {.remove = {4, 7}, .reweight = {5, 7}, .weights = {1, 1}}, bad, {1});
+    expect("set_weights: row 1 was removed", {.reweight = {1}, .weights = {1}}, bad, {0});
   } else {
-    expect("set_weights: points of this triangulation have no weights", {.weigh = {4}, .weights = {1}}, bad,
-           {});
+    expect("set_weights: points of this triangulation have no weights", {.reweight = {4}, .weights = {1}},
+           bad, {});
   }
   const auto expect_message = [&](const std::string& message, const auto& call) {
     try {
@@ -184,18 +184,19 @@ TYPED_TEST(Edits, AreRefused) {
 TYPED_TEST(Edits, OfNothingChangeNothing) {
   TypeParam product = with_history<TypeParam>(3, 20);
   const SeenTriangulation before(product);
-  const std::vector<CellId> born = product.changes().born;
+  const std::vector<CellId> created = product.changes().created_cells;
   apply(product, {});
   EXPECT_TRUE(SeenTriangulation(product) == before);
-  EXPECT_EQ(product.changes().born, born);  // those of the last call that changed something
+  EXPECT_EQ(product.changes().created_cells, created);  // those of the last call that changed something
   // To where it is.
   const auto there = product.point(product.vertex_at(0));
   product.move(0, std::vector<double>(there.begin(), there.end()));
   EXPECT_TRUE(SeenTriangulation(product) == before);
   const Changes& changes = product.changes();
-  EXPECT_TRUE(changes.killed.empty() && changes.born.empty() && changes.came.empty() &&
-              changes.gone.empty() && changes.hid.empty() && changes.reappeared.empty() &&
-              changes.moved.empty());
+  EXPECT_TRUE(changes.removed_cells.empty() && changes.created_cells.empty() &&
+              changes.added_vertices.empty() && changes.removed_vertices.empty() &&
+              changes.hidden_vertices.empty() && changes.reappeared_vertices.empty() &&
+              changes.moved_vertices.empty());
   // It counts as an edit.
   EXPECT_TRUE(product.can_undo());
   product.undo();
@@ -217,7 +218,7 @@ EditLists changes_of(int d, std::size_t n, std::size_t every, bool moves) {
     const std::vector<double> to = test::new_point(test::EditWorld::uniform, d, random);
     lists.to.insert(lists.to.end(), to.begin(), to.end());
     if (has_weights<Product> && row % 3 == 0) {
-      lists.weigh.push_back(row);
+      lists.reweight.push_back(row);
       lists.weights.push_back(0.1);
     }
   }
@@ -376,8 +377,8 @@ TYPED_TEST(Edits, WithoutMemory) {
       out.expect("a step onto another point", {.move = {5}, .to = out.at(0)});
       out.expect("a point beyond the frame", {.insert = out.at(1e9), .insert_weights = {0}});
       if (has_weights<TypeParam>) {
-        out.expect("a heavy point", {.weigh = {4}, .weights = {2}});
-        out.expect("a light point", {.weigh = {4}, .weights = {-2}});
+        out.expect("a heavy point", {.reweight = {4}, .weights = {2}});
+        out.expect("a light point", {.reweight = {4}, .weights = {-2}});
       }
       out.expect("a batch", changes_of<TypeParam>(d, out.num_rows, 7, false));
       out.expect("a large batch", changes_of<TypeParam>(d, out.num_rows, 2, true));

@@ -202,7 +202,7 @@ TYPED_TEST(ProductsOfEdited, Data) {
 TYPED_TEST(ProductsOfEdited, Ids) {
   this->for_each_set([&](const auto& both) {
     const Complex complex = both.edited.complex(), right = both.fresh.complex();
-    EXPECT_EQ(both.edited.hash(3), both.fresh.hash());
+    EXPECT_EQ(both.edited.hash({.threads = 3}), both.fresh.hash());
     std::map<SignedIndex, std::set<SignedIndex>> around, around_right;
     for (const VertexId v : complex.finite_vertices())
       for (const VertexId w : complex.adjacent_vertices(v))

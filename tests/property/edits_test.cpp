@@ -134,13 +134,13 @@ class RandomEdits {
         lists.to.insert(lists.to.end(), to.begin(), to.end());
       }
       if (EditHistory<Product>::has_weights && (way == 1 || way == 2) && random_.integer(0, 1) == 0) {
-        lists.weigh.push_back(row);
+        lists.reweight.push_back(row);
         lists.weights.push_back(any_weight());
       }
     }
     history_.edit(lists);
     return "batch of " + std::to_string(lists.remove.size()) + " removals, " +
-           std::to_string(lists.move.size()) + " moves, " + std::to_string(lists.weigh.size()) +
+           std::to_string(lists.move.size()) + " moves, " + std::to_string(lists.reweight.size()) +
            " weights and " + std::to_string(lists.insert_weights.size()) + " insertions";
   }
 

@@ -41,7 +41,7 @@ std::map<Rows, std::vector<double>> vertices_by_facets(const IntersectionData& d
   return result;
 }
 
-void expect_proven(const Polyhedron& found) {
+void expect_proven(const HalfspaceIntersectionBase& found) {
   const CheckReport report = check(found.to_data());
   EXPECT_TRUE(report.ok) << report.violation;
 }
@@ -106,13 +106,13 @@ TEST(HalfspaceDegenerate, FlatAndEmptyInEveryDimension) {
       EXPECT_EQ(flat.state(), IntersectionState::flat);
       EXPECT_EQ(empty.state(), IntersectionState::empty);
       EXPECT_EQ(thin.state(), IntersectionState::full);
-      for (const Polyhedron* none : {&flat, &empty}) {
+      for (const HalfspaceIntersectionBase* none : {&flat, &empty}) {
         expect_proven(*none);
         EXPECT_EQ(none->witness().size(), 2u);
         EXPECT_EQ(none->witness()[0] + 1, none->witness()[1]);
         EXPECT_GE(none->witness()[0], 2 * k);
         EXPECT_EQ(none->num_vertices(), 0u);
-        EXPECT_EQ(none->volume(), 0);
+        EXPECT_EQ(none->volume().value, 0);
       }
       // No double is strictly between two neighbors.
       EXPECT_FALSE(thin.data().interior_point_is_exact);

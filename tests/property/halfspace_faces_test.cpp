@@ -266,7 +266,7 @@ TEST(HalfspaceFaces, FacetsOfAHullGiveItsPointsBack) {
     const Counts counts = f_vector(back.data());
     for (std::size_t i = 0; i < d; ++i) EXPECT_EQ(static_cast<std::size_t>(counts[i]), faces[i]) << i;
     if (d <= 3) {
-      EXPECT_NEAR(back.volume() / hull.volume().value, 1, 1e-12);
+      EXPECT_NEAR(back.volume().value / hull.volume().value, 1, 1e-12);
     }
     if (HasFailure()) FAIL() << "dimension " << d << ", repeat " << repeat;
   }

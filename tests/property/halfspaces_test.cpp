@@ -201,8 +201,8 @@ TEST(Halfspaces, DualOfTheHullHasTheExtremePointsAsFacets) {
       EXPECT_EQ(static_cast<int>(data.kinds[r] == HalfspaceKind::touching),
                 static_cast<int>(polytope.point_kinds[r] == PointKind::boundary))
           << r;
-    EXPECT_NEAR(dual.dual_volume() / hull.volume().value, 1, 1e-12);
-    EXPECT_NEAR(dual.dual_area() / hull.area().value, 1, 1e-12);
+    EXPECT_NEAR(dual.dual_volume().value / hull.volume().value, 1, 1e-12);
+    EXPECT_NEAR(dual.dual_area().value / hull.area().value, 1, 1e-12);
     EXPECT_EQ(data.dual_points, points);
     if (HasFailure()) return;
   }

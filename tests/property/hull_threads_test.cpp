@@ -31,7 +31,7 @@ Options with_threads(unsigned threads, InsertionOrder order = InsertionOrder::au
   return options;
 }
 
-void expect_equal(const Polytope& made, const Polytope& reference) {
+void expect_equal(const ConvexHullBase& made, const ConvexHullBase& reference) {
   EXPECT_EQ(made.hash().hex(), reference.hash().hex());
   EXPECT_EQ(made.num_duplicates(), reference.num_duplicates());
   const HullData &a = made.data(), &b = reference.data();
@@ -145,7 +145,7 @@ TEST_P(HullThreadsIn, LowerHulls) {
   }
 }
 
-void expect_equal(const Polyhedron& made, const Polyhedron& reference) {
+void expect_equal(const HalfspaceIntersectionBase& made, const HalfspaceIntersectionBase& reference) {
   const IntersectionData &a = made.data(), &b = reference.data();
   EXPECT_EQ(a.vertices, b.vertices);
   EXPECT_EQ(a.vertex_halfspaces, b.vertex_halfspaces);

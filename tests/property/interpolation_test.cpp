@@ -228,10 +228,10 @@ TEST(Interpolation, Errors) {
   EXPECT_EQ(code_of([&] { interpolate.evaluate(bad, std::span(result).first(1)); }), Errc::not_finite);
   std::vector<double> many(2 * 5000, 1.0), answers(5000);
   EXPECT_EQ(
-      code_of([&] { interpolate.evaluate(many, answers, {.progress = [](std::size_t) { return false; }}); }),
+      code_of([&] { interpolate.evaluate(many, answers, {}, {.progress = [](double) { return false; }}); }),
       Errc::cancelled);
   std::size_t calls = 0;
-  interpolate.evaluate(many, answers, {.progress = [&](std::size_t) { return ++calls > 0; }});
+  interpolate.evaluate(many, answers, {}, {.progress = [&](double) { return ++calls > 0; }});
   EXPECT_GE(calls, 1u);  // at first, and then every few milliseconds
 }
 

@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Calls that are stopped in the middle of exact arithmetic, whether they have options or not: what they were
-// called on is as before, and goes on.
+// Calls that are stopped in the middle of exact arithmetic, by a ProgressScope or by their own function: what
+// they were called on is as before, and goes on.
+#include <delone/alpha.hpp>
+#include <delone/check.hpp>
 #include <delone/convex_hull.hpp>
 #include <delone/delaunay.hpp>
+#include <delone/faces.hpp>
+#include <delone/forecast.hpp>
 #include <delone/halfspaces.hpp>
+#include <delone/html.hpp>
+#include <delone/measures.hpp>
+#include <delone/natural_neighbors.hpp>
+#include <delone/point_locator.hpp>
 #include <delone/progress.hpp>
 #include <delone/trim.hpp>
 #include <delone/voronoi.hpp>
@@ -112,7 +120,7 @@ TEST(Interruption, EverythingThatTakesLongAsks) {
   EXPECT_TRUE(is_stopped(1, [&] { static_cast<void>(trim(plane, 0.01)); }));
 }
 
-TEST(Interruption, DiagramsAskTheFunctionOfTheirOptions) {
+TEST(Interruption, DiagramsAskTheFunctionOfTheCall) {
   std::mt19937 random(8);
   std::vector<double> points(1500 * 4);
   for (double& x : points) x = static_cast<double>(random()) * 0x1p-32;
@@ -132,10 +140,116 @@ TEST(Interruption, DiagramsAskTheFunctionOfTheirOptions) {
     }
     return false;
   };
-  EXPECT_TRUE(is_cancelled([&] { Voronoi<> made(triangulation, {.progress = stop}); }));
-  EXPECT_TRUE(is_cancelled([&] { Voronoi<> made(triangulation, {.tolerance = 0.01, .progress = stop}); }));
-  const Voronoi<> made(triangulation, {.progress = [](double) { return true; }});
+  EXPECT_TRUE(is_cancelled([&] { Voronoi<> made(triangulation, {}, {.progress = stop}); }));
+  EXPECT_TRUE(is_cancelled([&] { Voronoi<> made(triangulation, {.tolerance = 0.01}, {.progress = stop}); }));
+  const Voronoi<> made(triangulation, {}, {.progress = [](double) { return true; }});
   EXPECT_EQ(made.num_regions(), 1500u);
+}
+
+TEST(Interruption, EveryCallWithAnExecutionAsksItsFunction) {
+  std::mt19937 random(9);
+  std::vector<double> points(2 * 6000);
+  for (double& x : points) x = static_cast<double>(random()) * 0x1p-32;
+  const Delaunay<> triangulation(points, 2);
+  const ComplexData data = triangulation.to_data();
+  const std::vector<double> few(points.begin(), points.begin() + 1000);
+  const ConvexHull<> hull(few, 5);
+  const HullData of_hull = hull.to_data();
+  const Voronoi<> diagram(triangulation);
+  const Box box = diagram.bounding_box();
+  const PointLocator locator(triangulation);
+  const LinearInterpolator linear(triangulation, std::span(points).first(6000));
+  const NaturalNeighborCoordinates coordinates(triangulation);
+  std::vector<double> values(6000), gradients(2 * 6000);
+  const auto ignore = [](const auto&...) {};
+  const std::vector<std::pair<const char*, std::function<void(const Execution&)>>> calls{
+      {"hash", [&](const Execution& how) { triangulation.hash(how); }},
+      {"canonical_hash", [&](const Execution& how) { canonical_hash(data, how); }},
+      {"check", [&](const Execution& how) { check(data, {}, how); }},
+      {"check of a hull", [&](const Execution& how) { check(of_hull, {}, how); }},
+      {"check of a diagram", [&](const Execution& how) { check(diagram.to_data(), {}, how); }},
+      {"trim", [&](const Execution& how) { trim(triangulation, 0.01, how); }},
+      {"faces", [&](const Execution& how) { faces(triangulation, 1, how); }},
+      {"circumradii", [&](const Execution& how) { circumradii(triangulation, how); }},
+      {"circumcenters", [&](const Execution& how) { circumcenters(triangulation, how); }},
+      {"qualities",
+       [&](const Execution& how) { qualities(triangulation, QualityMeasure::radius_ratio, how); }},
+      {"alpha_values", [&](const Execution& how) { alpha_values(triangulation, 1, how); }},
+      {"alpha_filtration", [&](const Execution& how) { alpha_filtration(triangulation, how); }},
+      {"AlphaComplex", [&](const Execution& how) { AlphaComplex(triangulation, 0.01, how); }},
+      {"Voronoi", [&](const Execution& how) { Voronoi<> made(triangulation, {}, how); }},
+      {"ridge_volumes", [&](const Execution& how) { diagram.ridge_volumes(how); }},
+      {"region_volumes", [&](const Execution& how) { diagram.region_volumes(how); }},
+      {"volumes in a box", [&](const Execution& how) { diagram.region_volumes(box, how); }},
+      {"clipped regions", [&](const Execution& how) { diagram.for_each_clipped_region(box, ignore, how); }},
+      {"locate", [&](const Execution& how) { locator.locate(points, ignore, how); }},
+      {"locate as arrays",
+       [&](const Execution& how) { locator.locate(points, {}, CellNumbers(triangulation.complex()), how); }},
+      {"cells_within",
+       [&](const Execution& how) {
+         locator.cells_within(
+             points, 0.01, [](auto...) { return true; }, how);
+       }},
+      {"nearest",
+       [&](const Execution& how) {
+         locator.nearest(
+             points, [](std::size_t, VertexId) {}, how);
+       }},
+      {"k nearest",
+       [&](const Execution& how) {
+         locator.nearest(
+             points, 2, [](std::size_t, std::span<const VertexId>) {}, how);
+       }},
+      {"evaluate", [&](const Execution& how) { linear.evaluate(points, values, {}, how); }},
+      {"gradients", [&](const Execution& how) { linear.gradients(points, gradients, {}, how); }},
+      {"natural neighbors", [&](const Execution& how) { coordinates.find(points, ignore, false, how); }},
+      {"natural neighbors' centers",
+       [&](const Execution& how) { NaturalNeighborCoordinates made(triangulation, how); }},
+      {"site gradients",
+       [&](const Execution& how) {
+         NaturalNeighborInterpolator made(triangulation, std::span(points).first(6000), 1, true, {}, how);
+       }},
+      {"f_vector", [&](const Execution& how) { hull.f_vector(how); }},
+      {"to_html", [&](const Execution& how) { to_html(data, {}, how); }},
+      {"forecast", [&](const Execution& how) { forecast(3, 100000, "sphere", {.progress = how.progress}); }},
+      {"estimate", [&](const Execution& how) { estimate(points, 2, {.progress = how.progress}); }},
+  };
+  for (const unsigned threads : {1u, 3u})
+    for (const auto& [name, call] : calls) {
+      int asked = 0;
+      const std::function<bool(double)> stop = [&](double share) {
+        EXPECT_TRUE(share >= 0 && share <= 1) << name;
+        ++asked;
+        return false;
+      };
+      try {
+        call({.threads = threads, .progress = stop});
+        ADD_FAILURE() << name << " was not stopped, by " << threads << " threads";
+      } catch (const Error& error) {
+        EXPECT_EQ(error.code(), Errc::cancelled) << name << ": " << error.what();
+        EXPECT_EQ(asked, 1) << name;
+      }
+    }
+}
+
+TEST(Interruption, ProgressMovesWhileInterpolating) {
+  std::mt19937 random(10);
+  std::vector<double> points(3 * 400);
+  for (double& x : points) x = static_cast<double>(random()) * 0x1p-32;
+  const Delaunay<> triangulation(points, 3);
+  const NaturalNeighborInterpolator natural(triangulation, std::span(points).first(400));
+  std::vector<double> queries(3 * 5000), values(5000);
+  for (double& x : queries) x = static_cast<double>(random()) * 0x1p-32;
+  for (const bool in_scope : {false, true}) {
+    std::vector<double> shares;
+    const std::function<bool(double)> hear = [&](double share) { return shares.push_back(share), true; };
+    const ProgressScope scope(in_scope ? hear : nullptr);
+    natural.evaluate(queries, values, {}, {.progress = in_scope ? nullptr : hear});
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    ASSERT_GT(shares.size(), 4u);
+    EXPECT_GT(shares[shares.size() / 2], shares.front());
+    EXPECT_GT(shares.back(), 0.5);
+  }
 }
 
 TEST(Interruption, ProgressMovesWhileWrapping) {

@@ -47,7 +47,8 @@ static_assert(only_moves<PowerDiagram<3>> && only_moves<PowerDiagram<>>);
 template <class Base>
 constexpr bool is_abstract_base = !std::is_default_constructible_v<Base> && !std::is_destructible_v<Base> &&
                                   !std::is_copy_constructible_v<Base> && !std::is_copy_assignable_v<Base>;
-static_assert(is_abstract_base<Polytope> && is_abstract_base<Envelope> && is_abstract_base<Polyhedron>);
+static_assert(is_abstract_base<ConvexHullBase> && is_abstract_base<LowerHullBase> &&
+              is_abstract_base<HalfspaceIntersectionBase>);
 static_assert(is_abstract_base<Diagram>);
 
 TEST(ProductForms, HullsAreEqual) {
@@ -60,8 +61,9 @@ TEST(ProductForms, HullsAreEqual) {
   static_assert(std::is_same_v<decltype(fixed), const ConvexHull<3>>);
   static_assert(decltype(fixed.point(0))::extent == 3);
   const ConvexHull<3> list(as_list(rows));
-  for (const Polytope* other : {static_cast<const Polytope*>(&view), static_cast<const Polytope*>(&fixed),
-                                static_cast<const Polytope*>(&list)}) {
+  for (const ConvexHullBase* other :
+       {static_cast<const ConvexHullBase*>(&view), static_cast<const ConvexHullBase*>(&fixed),
+        static_cast<const ConvexHullBase*>(&list)}) {
     EXPECT_EQ(other->hash(), hull.hash());
     EXPECT_EQ(other->dimension(), 3);
     EXPECT_TRUE(other->contains({0.0, 0.0, 0.0}));
@@ -128,7 +130,7 @@ TEST(ProductForms, IntersectionsAreEqual) {
   EXPECT_EQ(fixed.num_halfspaces(), 6u);
   EXPECT_EQ(fixed.num_facets(), 5u);  // x ≤ 1 touches in a corner only
   EXPECT_EQ(copy.num_facets(), 4u);
-  EXPECT_EQ(copy.volume(), 4);
+  EXPECT_EQ(copy.volume().value, 4);
 }
 
 TEST(ProductForms, DiagramsAreEqual) {

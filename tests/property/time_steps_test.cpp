@@ -73,11 +73,11 @@ void expect_steps_in_threads(const std::string& kind, int d) {
     points = moved_by(points, d, part, ++seed);
     alone.move(rows, points);
     shared.move(rows, points);
-    EXPECT_EQ(alone.changes().killed, shared.changes().killed);
-    EXPECT_EQ(alone.changes().born, shared.changes().born);
+    EXPECT_EQ(alone.changes().removed_cells, shared.changes().removed_cells);
+    EXPECT_EQ(alone.changes().created_cells, shared.changes().created_cells);
     if (part == 1e-3 && kind == "uniform") {  // most cells have stayed
-      EXPECT_GT(alone.changes().killed.size(), 0u);
-      EXPECT_LT(4 * alone.changes().killed.size(), alone.num_finite_cells());
+      EXPECT_GT(alone.changes().removed_cells.size(), 0u);
+      EXPECT_LT(4 * alone.changes().removed_cells.size(), alone.num_finite_cells());
     }
     ASSERT_TRUE(test::SeenTriangulation(alone) == test::SeenTriangulation(shared));
     ASSERT_EQ(shared.hash(), Delaunay<>(points, d, by_threads(1)).hash());
@@ -148,15 +148,15 @@ TEST(TimeSteps, OfWeightedPoints) {
         else if (seed % 3 == 1)
           t->move(rows, points);
         else
-          t->edit({.move = rows, .to = points, .weigh = rows, .weights = weights});
+          t->edit({.move = rows, .to = points, .reweight = rows, .weights = weights});
       }
       ASSERT_TRUE(test::SeenTriangulation(alone) == test::SeenTriangulation(shared));
       const Regular<> batch(points, weights, d);
       ASSERT_EQ(shared.hash(), batch.hash());
       ASSERT_EQ(shared.hidden_rows(), batch.hidden_rows());
-      num_settled += 4 * alone.changes().killed.size() < alone.num_finite_cells() ? 1 : 0;
-      num_hid += alone.changes().hid.size();
-      num_reappeared += alone.changes().reappeared.size();
+      num_settled += 4 * alone.changes().removed_cells.size() < alone.num_finite_cells() ? 1 : 0;
+      num_hid += alone.changes().hidden_vertices.size();
+      num_reappeared += alone.changes().reappeared_vertices.size();
     }
     EXPECT_GT(num_settled, 1u);  // most cells have stayed
     EXPECT_GT(num_hid, 0u);
@@ -188,7 +188,7 @@ TEST(SmallSteps, OfWeightedPoints) {
         t.move(row, to);
       else
         t.set_weight(row, weights[row] + part * spacing * spacing);
-      num_settled += t.changes().killed.empty() && !t.is_hidden(row) ? 1 : 0;
+      num_settled += t.changes().removed_cells.empty() && !t.is_hidden(row) ? 1 : 0;
       t.undo();
       ASSERT_EQ(t.hash(), before);
       if (row % 4 < 2) {

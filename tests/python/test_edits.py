@@ -177,28 +177,28 @@ class Follower:
     def follow(self):
         t, made = self.t, self.t.changes
         cells = by_id(t)
-        killed, born, came, gone, hid, reappeared, moved = (getattr(made, name).tolist() for name in made.__slots__)
-        for ids in (killed, born, came, gone, hid, reappeared, moved):
+        removed, created, added, gone, hidden, reappeared, moved = (getattr(made, name).tolist() for name in made.__slots__)
+        for ids in (removed, created, added, gone, hidden, reappeared, moved):
             assert ids == sorted(set(ids))
-        assert set(killed) <= self.cells.keys() and set(born) <= cells.keys()
-        assert self.cells.keys() - killed == cells.keys() - born
-        assert all(self.cells[i] == cells[i] for i in cells.keys() - born)
+        assert set(removed) <= self.cells.keys() and set(created) <= cells.keys()
+        assert self.cells.keys() - removed == cells.keys() - created
+        assert all(self.cells[i] == cells[i] for i in cells.keys() - created)
 
         before, after = set(self.vertices.tolist()) - {-1}, set(t.vertex_ids.tolist()) - {-1}
-        assert after - before == set(came) & after | set(reappeared) and before - after == set(gone) & before | set(hid)
-        assert not set(came) & before and not set(gone) & after and set(hid) <= before and set(reappeared) <= after
+        assert after - before == set(added) & after | set(reappeared) and before - after == set(gone) & before | set(hidden)
+        assert not set(added) & before and not set(gone) & after and set(hidden) <= before and set(reappeared) <= after
         rows = np.c_[t.points, t.weights if isinstance(t, delone.Regular) else t.points]
         n = min(len(rows), len(self.rows))
         same_vertex = (self.vertices[:n] == t.vertex_ids[:n]) & (self.vertices[:n] > 0)
         differs = same_vertex & (rows[:n] != self.rows[:n]).any(1)
-        assert set(t.vertex_ids[:n][differs].tolist()) <= set(moved) and not set(moved) & (set(gone) | set(came))
+        assert set(t.vertex_ids[:n][differs].tolist()) <= set(moved) and not set(moved) & (set(gone) | set(added))
         assert not set(moved) & set(t.vertex_ids[:n][same_vertex & ~differs].tolist())
 
-        self.payload[killed] = -1
-        self.write(made.born)
+        self.payload[removed] = -1
+        self.write(made.created_cells)
         np.testing.assert_array_equal(self.payload[t.cell_ids], self.sums())
         assert np.count_nonzero(self.payload >= 0) == len(t)
-        assert not self.gone & set(came)  # ids are not used again
+        assert not self.gone & set(added)  # ids are not used again
         self.gone |= set(gone)
         self.remember()
 
@@ -250,7 +250,7 @@ def test_undo(kind, dimension, count, lattice):
         assert_same(arrays(t), before)
         follower.gone.clear()
         follower.follow()
-        follower.gone.clear()  # ids that came are free again
+        follower.gone.clear()  # ids of added vertices are free again
         history.points, history.weights, history.there = model
         with pytest.raises(delone.InputError, match="undo"):
             t.undo()
@@ -426,7 +426,7 @@ def test_what_is_refused_changes_nothing(kind):
         with pytest.raises(error, match=match):
             call()
     assert_same(arrays(t), before)
-    assert t.can_undo and made.killed.tolist() == t.changes.killed.tolist()
+    assert t.can_undo and made.removed_cells.tolist() == t.changes.removed_cells.tolist()
     with pytest.raises(delone.InputError) as raised:
         t.remove([0, 1, 9])
     assert raised.value.rows == [2]  # in the argument

@@ -27,10 +27,10 @@ namespace delone::test {
 
 /// An edit in lists of its own.
 struct EditLists {
-  std::vector<std::size_t> remove = {}, move = {}, weigh = {};
+  std::vector<std::size_t> remove = {}, move = {}, reweight = {};
   std::vector<double> to = {}, weights = {}, insert = {}, insert_weights = {};
 
-  bool is_empty() const { return remove.empty() && move.empty() && weigh.empty() && insert.empty(); }
+  bool is_empty() const { return remove.empty() && move.empty() && reweight.empty() && insert.empty(); }
 };
 
 template <class Product>
@@ -91,7 +91,7 @@ class EditHistory {
   }
   void set_weight(std::size_t row, double weight) {
     if constexpr (has_weights)
-      apply({.weigh = {row}, .weights = {weight}}, [&] { product_.set_weight(row, weight); });
+      apply({.reweight = {row}, .weights = {weight}}, [&] { product_.set_weight(row, weight); });
   }
   void insert_range(const std::vector<double>& points, const std::vector<double>& weights) {
     apply({.insert = points, .insert_weights = weights}, [&] {
@@ -131,7 +131,7 @@ class EditHistory {
     edit.remove = lists.remove;
     edit.move = lists.move;
     edit.to = AnyPoints<>(std::span(lists.to));
-    edit.weigh = lists.weigh;
+    edit.reweight = lists.reweight;
     edit.weights = lists.weights;
     edit.insert = AnyPoints<>(std::span(lists.insert));
     if (has_weights) edit.insert_weights = lists.insert_weights;
@@ -151,9 +151,12 @@ class EditHistory {
     find_places();
     if (!records_changes_) return;
     const Changes& now = product_.changes();
-    require(now.killed == changes_.born && now.born == changes_.killed && now.came == changes_.gone &&
-                now.gone == changes_.came && now.hid == changes_.reappeared &&
-                now.reappeared == changes_.hid && now.moved == changes_.moved,
+    require(now.removed_cells == changes_.created_cells && now.created_cells == changes_.removed_cells &&
+                now.added_vertices == changes_.removed_vertices &&
+                now.removed_vertices == changes_.added_vertices &&
+                now.hidden_vertices == changes_.reappeared_vertices &&
+                now.reappeared_vertices == changes_.hidden_vertices &&
+                now.moved_vertices == changes_.moved_vertices,
             "changes() of undo() are not those of the edit, reversed");
   }
 
@@ -295,7 +298,7 @@ class EditHistory {
     for (const VertexId v : after.vertices) last_id_ = std::max(last_id_, index(v));
     if (records_changes_) {
       changes_ = product_.changes();
-      for (const VertexId v : changes_.came) last_id_ = std::max(last_id_, index(v));
+      for (const VertexId v : changes_.added_vertices) last_id_ = std::max(last_id_, index(v));
       compare_cells(before, after);
       compare_vertices(before, after, last_id_before, rows_before, places_before);
     }
@@ -314,7 +317,8 @@ class EditHistory {
     };
     for (const std::size_t row : lists.remove) rows_[row].is_there = false;
     for (std::size_t i = 0; i < lists.move.size(); ++i) rows_[lists.move[i]].point = point_of(lists.to, i);
-    for (std::size_t i = 0; i < lists.weigh.size(); ++i) rows_[lists.weigh[i]].weight = lists.weights[i];
+    for (std::size_t i = 0; i < lists.reweight.size(); ++i)
+      rows_[lists.reweight[i]].weight = lists.weights[i];
     for (std::size_t i = 0; i < lists.insert.size() / d; ++i)
       rows_.push_back({point_of(lists.insert, i), has_weights ? lists.insert_weights[i] : 0.0});
   }
@@ -441,62 +445,65 @@ class EditHistory {
 
   /// Cells in neither list have their ids and vertices still.
   void compare_cells(const Seen& before, const Seen& after) {
-    const std::vector<CellId>&killed = changes_.killed, &born = changes_.born;
-    require(is_ascending(killed) && is_ascending(born), "cells are not in order");
-    for (const CellId c : killed) require(before.cells.contains(c), "a cell was killed that was none");
-    for (const CellId c : born) require(after.cells.contains(c), "a cell was born that is none");
+    const std::vector<CellId>&removed = changes_.removed_cells, &created = changes_.created_cells;
+    require(is_ascending(removed) && is_ascending(created), "cells are not in order");
+    for (const CellId c : removed) require(before.cells.contains(c), "a cell was removed that was none");
+    for (const CellId c : created) require(after.cells.contains(c), "a cell was created that is none");
     const std::size_t corners = static_cast<std::size_t>(before.affine_dimension) + 1;
     for (const auto& [cell, links] : before.cells) {
-      if (has(killed, cell)) continue;
-      require(!has(born, cell), "a cell was born in the place of one that was not killed");
+      if (has(removed, cell)) continue;
+      require(!has(created, cell), "a cell was created in the place of one that was not removed");
       const auto now = after.cells.find(cell);
-      require(now != after.cells.end(), "a cell has gone that was not killed");
+      require(now != after.cells.end(), "a cell has gone that was not removed");
       require(before.affine_dimension == after.affine_dimension, "a cell has outlived its dimension");
       if (!fault_.empty()) return;
       for (std::size_t i = 0; i < corners; ++i) {
         require(now->second[i] == links[i], "a cell has other vertices");
         const CellId neighbor{links[corners + i]}, now_there{now->second[corners + i]};
-        require(neighbor == now_there ? has(killed, neighbor) == has(born, neighbor)
-                                      : has(killed, neighbor) && has(born, now_there),
+        require(neighbor == now_there ? has(removed, neighbor) == has(created, neighbor)
+                                      : has(removed, neighbor) && has(created, now_there),
                 "a cell has another neighbor that is not new");
       }
     }
     for (const auto& [cell, links] : after.cells)
-      require(has(born, cell) || (before.cells.contains(cell) && !has(killed, cell)),
-              "a cell has come that was not born");
+      require(has(created, cell) || (before.cells.contains(cell) && !has(removed, cell)),
+              "a cell has come that was not created");
   }
 
   void compare_vertices(const Seen& before, const Seen& after, Index last_id_before,
                         const std::vector<Row>& rows_before, const Places& places_before) {
     const Changes& c = changes_;
-    require(is_ascending(c.came) && is_ascending(c.gone) && is_ascending(c.hid) &&
-                is_ascending(c.reappeared) && is_ascending(c.moved),
+    require(is_ascending(c.added_vertices) && is_ascending(c.removed_vertices) &&
+                is_ascending(c.hidden_vertices) && is_ascending(c.reappeared_vertices) &&
+                is_ascending(c.moved_vertices),
             "vertices are not in order");
-    require(may_hide || c.came.size() + places_before.size() == c.gone.size() + places_.size(),
+    require(may_hide ||
+                c.added_vertices.size() + places_before.size() == c.removed_vertices.size() + places_.size(),
             "as many vertices have not come as there are more, or gone as there are fewer");
-    for (const VertexId v : c.came) require(index(v) > last_id_before, "a vertex has come again");
-    for (const VertexId v : c.gone)
+    for (const VertexId v : c.added_vertices) require(index(v) > last_id_before, "a vertex has come again");
+    for (const VertexId v : c.removed_vertices)
       require(index(v) <= last_id_before && !after.sees(v),
               "a vertex has gone that was not there, or still is");
     std::vector<VertexId> lost, back;
     for (const VertexId v : before.vertices)
-      if (!after.sees(v) && !has(c.gone, v)) lost.push_back(v);
+      if (!after.sees(v) && !has(c.removed_vertices, v)) lost.push_back(v);
     for (const VertexId v : after.vertices) {
       if (before.sees(v)) {
         const bool weighs_other =
             has_weights && place_of_vertex(v, before, rows_before) != place_of_vertex(v, after, rows_);
-        require(has(c.moved, v) == (before.point(v) != after.point(v) || weighs_other),
+        require(has(c.moved_vertices, v) == (before.point(v) != after.point(v) || weighs_other),
                 "a vertex has moved, or has not");
       } else if (index(v) <= last_id_before) {
         back.push_back(v);
       } else {
-        require(has(c.came, v), "a new vertex has not come");
+        require(has(c.added_vertices, v), "a new vertex has not come");
       }
     }
-    require(c.hid == lost, "other vertices have become hidden");
-    require(c.reappeared == back, "other vertices have come back");
-    for (const VertexId v : c.moved)
-      require(!has(c.gone, v) && !has(c.came, v), "a vertex has moved that is new or gone");
+    require(c.hidden_vertices == lost, "other vertices have become hidden");
+    require(c.reappeared_vertices == back, "other vertices have come back");
+    for (const VertexId v : c.moved_vertices)
+      require(!has(c.removed_vertices, v) && !has(c.added_vertices, v),
+              "a vertex has moved that is new or gone");
     // What rows say.
     std::vector<VertexId> stay, removed;
     for (std::size_t row = 0; row < rows_before.size(); ++row) {
@@ -508,8 +515,9 @@ class EditHistory {
         stay.push_back(v);
       if (!rows_[row].is_there && is_alone(row, places_before, rows_before)) removed.push_back(v);
     }
-    for (const VertexId v : stay) require(!has(c.gone, v), "a vertex has gone that has a row");
-    for (const VertexId v : removed) require(has(c.gone, v), "a vertex without rows has not gone");
+    for (const VertexId v : stay) require(!has(c.removed_vertices, v), "a vertex has gone that has a row");
+    for (const VertexId v : removed)
+      require(has(c.removed_vertices, v), "a vertex without rows has not gone");
   }
   static Place place_of_vertex(VertexId v, const Seen& seen, const std::vector<Row>& rows) {
     const auto at = std::lower_bound(seen.vertices.begin(), seen.vertices.end(), v) - seen.vertices.begin();

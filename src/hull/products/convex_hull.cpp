@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Polytope: the public members of what hull_state.hpp builds and hull_analysis.hpp derives from it.
+// ConvexHullBase: the public members of what hull_state.hpp builds and hull_analysis.hpp derives from it.
 #include "base/build_limits.hpp"
 #include "base/guarded.hpp"
 #include "base/progress_meter.hpp"
@@ -39,7 +39,7 @@ void require_row(std::size_t row, std::size_t count) {
 
 }  // namespace
 
-struct Polytope::Impl {
+struct ConvexHullBase::Impl {
   Impl(int d, Options given)
       : dimension(d), options(std::move(given)), state(std::make_unique<HullState>(d)) {}
   Impl(const Impl& other)
@@ -212,82 +212,83 @@ struct Polytope::Impl {
   }
 };
 
-Polytope::Polytope(int dimension, const Options& options) {
+ConvexHullBase::ConvexHullBase(int dimension, const Options& options) {
   internal::require_dimension(dimension);
   internal::require_tolerance(options.tolerance);
   internal::require_time_limit(options.time_limit);
   impl_ = std::make_unique<Impl>(dimension, options);
 }
-Polytope::Polytope(detail::Clone, const Polytope& other)
+ConvexHullBase::ConvexHullBase(detail::Clone, const ConvexHullBase& other)
     : impl_(internal::guarded("the hull", [&] { return std::make_unique<Impl>(*other.impl_); })) {}
-Polytope::Polytope(Polytope&&) noexcept = default;
-Polytope& Polytope::operator=(Polytope&&) noexcept = default;
-Polytope::~Polytope() = default;
+ConvexHullBase::ConvexHullBase(ConvexHullBase&&) noexcept = default;
+ConvexHullBase& ConvexHullBase::operator=(ConvexHullBase&&) noexcept = default;
+ConvexHullBase::~ConvexHullBase() = default;
 
-void Polytope::insert_coordinates(std::span<const double> coordinates) {
+void ConvexHullBase::insert_coordinates(std::span<const double> coordinates) {
   internal::guarded("the hull", [&] { impl_->within_limits([&] { impl_->insert_range(coordinates); }); });
 }
-std::vector<SignedIndex> Polytope::insert_extreme_coordinates(std::span<const double> coordinates) {
+std::vector<SignedIndex> ConvexHullBase::insert_extreme_coordinates(std::span<const double> coordinates) {
   return internal::guarded(
       "the hull", [&] { return impl_->within_limits([&] { return impl_->insert_extreme(coordinates); }); });
 }
-HullInsertResult Polytope::insert_point(std::span<const double> point) {
+HullInsertResult ConvexHullBase::insert_point(std::span<const double> point) {
   return internal::guarded("the hull", [&] { return impl_->insert(point); });
 }
 
-int Polytope::dimension() const { return impl_->dimension; }
-int Polytope::affine_dimension() const { return impl_->affine_dimension(); }
-std::size_t Polytope::num_points() const { return impl_->state->num_rows(); }
-std::size_t Polytope::num_duplicates() const { return impl_->state->num_duplicates(); }
-std::size_t Polytope::num_cells() const { return impl_->hull().num_cells(); }
-std::vector<int> Polytope::axes() const { return impl_->shown().sites().axes; }
-double Polytope::tolerance() const { return impl_->options.tolerance; }
-double Polytope::max_distance() const { return impl_->max_distance(); }
+int ConvexHullBase::dimension() const { return impl_->dimension; }
+int ConvexHullBase::affine_dimension() const { return impl_->affine_dimension(); }
+std::size_t ConvexHullBase::num_points() const { return impl_->state->num_rows(); }
+std::size_t ConvexHullBase::num_duplicates() const { return impl_->state->num_duplicates(); }
+std::size_t ConvexHullBase::num_cells() const { return impl_->hull().num_cells(); }
+std::vector<int> ConvexHullBase::axes() const { return impl_->shown().sites().axes; }
+double ConvexHullBase::tolerance() const { return impl_->options.tolerance; }
+double ConvexHullBase::max_distance() const { return impl_->max_distance(); }
 
-std::size_t Polytope::num_vertices() const {
+std::size_t ConvexHullBase::num_vertices() const {
   return impl_->analyse([](const HullAnalysis& analysis) { return analysis.num_extreme(); });
 }
-std::size_t Polytope::num_facets() const {
+std::size_t ConvexHullBase::num_facets() const {
   return impl_->analyse([](const HullAnalysis& analysis) { return analysis.faces().num_facets(); });
 }
-std::size_t Polytope::num_ridges() const {
+std::size_t ConvexHullBase::num_ridges() const {
   return impl_->analyse([](const HullAnalysis& analysis) { return analysis.num_ridges(); });
 }
-PointKind Polytope::kind(std::size_t row) const {
+PointKind ConvexHullBase::kind(std::size_t row) const {
   require_row(row, num_points());
   return impl_->analyse([&](const HullAnalysis& analysis) { return analysis.kinds()[row]; });
 }
-std::size_t Polytope::count(PointKind kind) const {
+std::size_t ConvexHullBase::count(PointKind kind) const {
   return impl_->analyse([&](const HullAnalysis& analysis) { return analysis.count(kind); });
 }
-std::span<const double> Polytope::point(std::size_t row) const {
+std::span<const double> ConvexHullBase::point(std::size_t row) const {
   require_row(row, num_points());
   return {impl_->state->point_of_row(row), impl_->ambient()};
 }
 
-const HullData& Polytope::data() const {
+const HullData& ConvexHullBase::data() const {
   return impl_->analyse([](const HullAnalysis& analysis) -> const HullData& { return analysis.data(); });
 }
-HullData Polytope::to_data(bool with_points) const {
+HullData ConvexHullBase::to_data(bool with_points) const {
   HullData copy = data();
   for (std::size_t row = 0; with_points && row < num_points(); ++row)
     copy.points.insert(copy.points.end(), point(row).begin(), point(row).end());
   return copy;
 }
 
-Measure Polytope::volume() const {
+Measure ConvexHullBase::volume() const {
   return impl_->analyse([](const HullAnalysis& analysis) { return analysis.measures().volume; });
 }
-Measure Polytope::area() const {
+Measure ConvexHullBase::area() const {
   return impl_->analyse([](const HullAnalysis& analysis) { return analysis.measures().area; });
 }
-std::vector<std::size_t> Polytope::f_vector() const {
+std::vector<std::size_t> ConvexHullBase::f_vector(const Execution& how) const {
+  const internal::ProgressMeter meter(how.progress);
   return impl_->analyse([&](const HullAnalysis& analysis) {
     return hull::count_faces(analysis.facet_sites(), affine_dimension());
   });
 }
 
-Containment Polytope::locate(const AnyPoint<>& query) const {
+Containment ConvexHullBase::locate(const AnyPoint<>& query) const {
   const double* q = impl_->checked_query(query);
   Containment result;
   if (affine_dimension() < 0 || !impl_->in_flat(q)) return result;
@@ -313,14 +314,14 @@ Containment Polytope::locate(const AnyPoint<>& query) const {
     result.face.push_back(impl_->state->row(site));
   return result;
 }
-bool Polytope::contains(const AnyPoint<>& query) const {
+bool ConvexHullBase::contains(const AnyPoint<>& query) const {
   const double* q = impl_->checked_query(query);
   const int k = affine_dimension();
   if (k < 0 || !impl_->in_flat(q)) return false;
   return k == 0 || impl_->analysis().locator()->side_of_hull(q, impl_->grid_with(q)) != Sign::negative;
 }
 
-std::vector<SignedIndex> Polytope::visible_cells(const AnyPoint<>& query) const {
+std::vector<SignedIndex> ConvexHullBase::visible_cells(const AnyPoint<>& query) const {
   const double* q = impl_->checked_query(query);
   if (affine_dimension() < 1 || !impl_->in_flat(q)) return {};
   const HullAnalysis& analysis = impl_->analysis();
@@ -330,7 +331,7 @@ std::vector<SignedIndex> Polytope::visible_cells(const AnyPoint<>& query) const 
   const std::vector<Index> cells = analysis.locator()->cells_on_side(found.cell, Sign::negative, q, grid);
   return {cells.begin(), cells.end()};
 }
-std::vector<SignedIndex> Polytope::visible_facets(const AnyPoint<>& query) const {
+std::vector<SignedIndex> ConvexHullBase::visible_facets(const AnyPoint<>& query) const {
   std::vector<SignedIndex> facets;
   for (const SignedIndex c : visible_cells(query))
     facets.push_back(
@@ -340,7 +341,7 @@ std::vector<SignedIndex> Polytope::visible_facets(const AnyPoint<>& query) const
   return facets;
 }
 
-CanonicalHash Polytope::hash() const {
+CanonicalHash ConvexHullBase::hash() const {
   const SimplicialHull& hull = impl_->hull();
   const sites::BoundarySites& sites = impl_->state->sites();
   const unsigned threads = impl_->options.threads;
@@ -368,7 +369,7 @@ CanonicalHash Polytope::hash() const {
   return hash.finish(dimension(), affine_dimension());
 }
 
-Statistics Polytope::statistics() const {
+Statistics ConvexHullBase::statistics() const {
   Statistics statistics = impl_->shown().statistics();
   const Statistics of_exact = impl_->state->statistics();
   statistics.order_seconds = of_exact.order_seconds;

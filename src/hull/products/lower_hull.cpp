@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Envelope: the hull of the points and of one more above them, of which the cells that look down are kept.
+// LowerHullBase: the hull of the points and of one more above them, of which the cells that look down are
+// kept.
 //
 // Why one more point. It lies over the composition of a lowest point, higher than that. The hyperplane of a
 // lower facet is, over any composition of the domain, at most as high as the lower hull, so the new point is
@@ -26,7 +27,7 @@
 
 namespace delone {
 
-struct Envelope::Impl {
+struct LowerHullBase::Impl {
   int dimension = 0;
   HullSide side = HullSide::lower;
   std::vector<double> points;                    // n×d, as given
@@ -240,7 +241,8 @@ struct Envelope::Impl {
   }
 };
 
-Envelope::Envelope(const AnyPoints<>& points, int dimension, HullSide side, const Options& options) {
+LowerHullBase::LowerHullBase(const AnyPoints<>& points, int dimension, HullSide side,
+                             const Options& options) {
   if (dimension < 2)
     throw Error(Errc::bad_dimension, "a lower hull needs a composition and a height: at least 2 coordinates");
   internal::require_dimension(dimension);
@@ -261,27 +263,27 @@ Envelope::Envelope(const AnyPoints<>& points, int dimension, HullSide side, cons
     limits.guard([&] { impl_->build(of_polytopes); });
   });
 }
-Envelope::Envelope(detail::Clone, const Envelope& other)
+LowerHullBase::LowerHullBase(detail::Clone, const LowerHullBase& other)
     : impl_(internal::guarded("the hull", [&] { return std::make_unique<Impl>(*other.impl_); })) {}
-Envelope::Envelope(Envelope&&) noexcept = default;
-Envelope& Envelope::operator=(Envelope&&) noexcept = default;
-Envelope::~Envelope() = default;
+LowerHullBase::LowerHullBase(LowerHullBase&&) noexcept = default;
+LowerHullBase& LowerHullBase::operator=(LowerHullBase&&) noexcept = default;
+LowerHullBase::~LowerHullBase() = default;
 
-int Envelope::dimension() const { return impl_->dimension; }
-int Envelope::composition_dimension() const { return impl_->compositions.dimension(); }
-HullSide Envelope::side() const { return impl_->side; }
-std::size_t Envelope::num_points() const { return impl_->num_points(); }
-std::size_t Envelope::num_cells() const { return impl_->num_cells(); }
-std::size_t Envelope::num_facets() const { return impl_->num_facets; }
-std::span<const SignedIndex> Envelope::cells() const { return impl_->cells; }
-std::span<const SignedIndex> Envelope::neighbors() const { return impl_->neighbors; }
-std::span<const SignedIndex> Envelope::facet_of_cell() const { return impl_->facet_of_cell; }
-std::span<const SignedIndex> Envelope::vertices() const { return impl_->vertices; }
-double Envelope::tolerance() const { return impl_->tolerance; }
-double Envelope::max_distance() const { return impl_->max_distance; }
-std::vector<int> Envelope::composition_axes() const { return impl_->compositions.axes(); }
+int LowerHullBase::dimension() const { return impl_->dimension; }
+int LowerHullBase::composition_dimension() const { return impl_->compositions.dimension(); }
+HullSide LowerHullBase::side() const { return impl_->side; }
+std::size_t LowerHullBase::num_points() const { return impl_->num_points(); }
+std::size_t LowerHullBase::num_cells() const { return impl_->num_cells(); }
+std::size_t LowerHullBase::num_facets() const { return impl_->num_facets; }
+std::span<const SignedIndex> LowerHullBase::cells() const { return impl_->cells; }
+std::span<const SignedIndex> LowerHullBase::neighbors() const { return impl_->neighbors; }
+std::span<const SignedIndex> LowerHullBase::facet_of_cell() const { return impl_->facet_of_cell; }
+std::span<const SignedIndex> LowerHullBase::vertices() const { return impl_->vertices; }
+double LowerHullBase::tolerance() const { return impl_->tolerance; }
+double LowerHullBase::max_distance() const { return impl_->max_distance; }
+std::vector<int> LowerHullBase::composition_axes() const { return impl_->compositions.axes(); }
 
-std::optional<std::size_t> Envelope::find_cell(const AnyPoint<>& composition) const {
+std::optional<std::size_t> LowerHullBase::find_cell(const AnyPoint<>& composition) const {
   if (composition.coordinates().size() != impl_->ambient() - 1)
     throw Error(Errc::bad_dimension, "the composition has not as many coordinates as those of the points");
   std::optional<std::size_t> result;
@@ -291,7 +293,7 @@ std::optional<std::size_t> Envelope::find_cell(const AnyPoint<>& composition) co
   return result;
 }
 
-std::vector<double> Envelope::heights(const AnyPoints<>& compositions) const {
+std::vector<double> LowerHullBase::heights(const AnyPoints<>& compositions) const {
   compositions.require_dimension(dimension() - 1);
   const Impl& hull = *impl_;
   const int width = static_cast<int>(hull.corners());
@@ -306,7 +308,7 @@ std::vector<double> Envelope::heights(const AnyPoints<>& compositions) const {
   return result;
 }
 
-std::vector<double> Envelope::height_above(const AnyPoints<>& points, double tolerance) const {
+std::vector<double> LowerHullBase::height_above(const AnyPoints<>& points, double tolerance) const {
   internal::require_tolerance(tolerance);
   points.require_dimension(dimension());
   std::vector<double> result;
@@ -328,7 +330,7 @@ std::vector<double> Envelope::height_above(const AnyPoints<>& points, double tol
   return result;
 }
 
-ComplexData Envelope::to_data() const {
+ComplexData LowerHullBase::to_data() const {
   ComplexData data;
   data.dimension = dimension();
   data.affine_dimension = composition_dimension();
@@ -339,7 +341,7 @@ ComplexData Envelope::to_data() const {
   data.tolerance = impl_->tolerance;
   return data;
 }
-const Polytope& Envelope::polytope() const {
+const ConvexHullBase& LowerHullBase::polytope() const {
   if (!impl_->polytope) throw Error(Errc::invalid_argument, "there is no point, hence no hull");
   return *impl_->polytope;
 }

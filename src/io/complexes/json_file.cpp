@@ -5,6 +5,7 @@
 #include "io/collect.hpp"
 #include "io/file.hpp"
 #include "io/text_cursor.hpp"
+#include "messages/in_quotes.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -27,7 +28,7 @@ std::string description(const JsonMember& member) {
     case JsonMember::Kind::boolean:
       return "a boolean";
     case JsonMember::Kind::text:
-      return "the string " + in_quotes(member.text);
+      return "the string " + messages::in_quotes(member.text);
     default:
       return "an array";
   }
@@ -60,7 +61,7 @@ class Handler : public nlohmann::json_sax<nlohmann::json> {
   bool key(std::string& key) override {
     if (skip_ > 0) return true;
     const auto [at, is_new] = members_.try_emplace(key);
-    if (!is_new) fail(Errc::bad_format, "{}: the member {} appears twice", name_, in_quotes(key));
+    if (!is_new) fail(Errc::bad_format, "{}: the member {} appears twice", name_, messages::in_quotes(key));
     key_ = key;
     member_ = &at->second;
     depth_ = 0;
@@ -104,7 +105,7 @@ class Handler : public nlohmann::json_sax<nlohmann::json> {
   }
   bool string(std::string& text) override {
     if (skip_ == 0 && depth_ == 1) member_->texts.push_back(text);
-    if (skip_ > 0 || depth_ > 0) return other("the string " + in_quotes(text));
+    if (skip_ > 0 || depth_ > 0) return other("the string " + messages::in_quotes(text));
     require_object("a string");
     member_->kind = JsonMember::Kind::text;
     member_->text = text;
@@ -132,7 +133,7 @@ class Handler : public nlohmann::json_sax<nlohmann::json> {
     const std::string_view rest = what.substr(begin + before.size());
     const std::size_t end = std::min(rest.rfind(after), rest.rfind('\''));
     fail(Errc::bad_format, "{}: not valid JSON (byte {}): {}{}{}", name_, position,
-         what.substr(0, begin + before.size() - 1), in_quotes(rest.substr(0, end)),
+         what.substr(0, begin + before.size() - 1), messages::in_quotes(rest.substr(0, end)),
          printable(rest.substr(std::min(end, rest.size() - 1) + 1)));
   }
 

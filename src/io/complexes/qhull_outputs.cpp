@@ -2,6 +2,7 @@
 #include "io/complexes/qhull_outputs.hpp"
 
 #include "io/file.hpp"
+#include "messages/in_quotes.hpp"
 
 #include <algorithm>
 
@@ -19,7 +20,7 @@ void write_qhull_outputs(const std::string& path, const std::string& wanted, con
                                     [&](const QhullOutput& output) { return name == output.first; });
     if (found == known.end())
       fail(Errc::invalid_argument, "{} is none of the outputs of {} in the form of Qhull: {}",
-           in_quotes(name), what, fmt::join(names, " "));
+           messages::in_quotes(name), what, fmt::join(names, " "));
     chosen.push_back(found);
     begin = wanted.find_first_not_of(", ", end);
   }

@@ -268,7 +268,7 @@ std::vector<double> coordinates_of(std::span<const double> points, std::size_t w
   return chosen;
 }
 
-void put_hull_summary(AtomicFile& file, const Polytope& hull, const QhullFacets& facets) {
+void put_hull_summary(AtomicFile& file, const ConvexHullBase& hull, const QhullFacets& facets) {
   std::size_t others = 0;
   for (std::size_t f = 0; f < facets.vertices.size(); ++f)
     others += facets.vertices[f].size() > static_cast<std::size_t>(hull.dimension());
@@ -390,7 +390,7 @@ void write_qhull(const std::string& path, const Triangulation& triangulation, co
        {"FS", [&](AtomicFile& file) { put_sizes(file, volume_of(data()), 0); }}});
 }
 
-void write_qhull(const std::string& path, const Polytope& hull, const std::string& outputs) {
+void write_qhull(const std::string& path, const ConvexHullBase& hull, const std::string& outputs) {
   using namespace io;
   const auto d = static_cast<std::size_t>(hull.dimension());
   Lazy data([&] { return hull.to_data(); });
@@ -413,7 +413,8 @@ void write_qhull(const std::string& path, const Polytope& hull, const std::strin
        {"FS", [&](AtomicFile& file) { put_sizes(file, hull.area().value, hull.volume().value); }}});
 }
 
-void write_qhull(const std::string& path, const Polyhedron& found, const std::string& outputs) {
+void write_qhull(const std::string& path, const HalfspaceIntersectionBase& found,
+                 const std::string& outputs) {
   using namespace io;
   const auto d = static_cast<std::size_t>(found.dimension());
   Lazy data([&] {

@@ -3,6 +3,7 @@
 
 #include "io/file.hpp"
 #include "io/text_cursor.hpp"
+#include "messages/in_quotes.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -35,7 +36,7 @@ class Chooser {
     const auto again = std::find(found + 1, names_.end(), one);
     if (again != names_.end())
       fail(Errc::bad_format, "{}: {} and {} are both named {}; choose by number", name_,
-           found - names_.begin(), again - names_.begin(), in_quotes(one));
+           found - names_.begin(), again - names_.begin(), messages::in_quotes(one));
     columns.push_back(static_cast<std::size_t>(found - names_.begin()));
     return true;
   }
@@ -46,10 +47,11 @@ class Chooser {
                                        last = dash == std::string_view::npos ? first
                                                                              : to_count(one.substr(dash + 1));
     if (!first || !last) return false;
-    if (*first > *last) fail(Errc::bad_format, "{}: the range {} runs backwards", name_, in_quotes(one));
+    if (*first > *last)
+      fail(Errc::bad_format, "{}: the range {} runs backwards", name_, messages::in_quotes(one));
     if (*last >= width_ && *first < width_)
-      fail(Errc::bad_format, "{}: the range {} ends beyond column {}, the last one", name_, in_quotes(one),
-           width_ - 1);
+      fail(Errc::bad_format, "{}: the range {} ends beyond column {}, the last one", name_,
+           messages::in_quotes(one), width_ - 1);
     if (*last >= width_) return false;
     for (std::uint64_t i = *first; i <= *last; ++i) columns.push_back(static_cast<std::size_t>(i));
     return true;
@@ -60,9 +62,9 @@ class Chooser {
         dash != std::string_view::npos && dash > 0 && one.substr(0, dash) == one.substr(dash + 1))
       one = one.substr(0, dash);  // a range of one number
     if (names_.empty())
-      fail(Errc::bad_format, "{}: there is no column {}; the columns are 0 to {}", name_, in_quotes(one),
-           width_ - 1);
-    fail(Errc::bad_format, "{}: there is no column {}; the columns are {}", name_, in_quotes(one),
+      fail(Errc::bad_format, "{}: there is no column {}; the columns are 0 to {}", name_,
+           messages::in_quotes(one), width_ - 1);
+    fail(Errc::bad_format, "{}: there is no column {}; the columns are {}", name_, messages::in_quotes(one),
          joined(names_));
   }
 

@@ -6,6 +6,7 @@
 #include "io/points/off.hpp"
 #include "io/points/read_points.hpp"
 #include "io/text_cursor.hpp"
+#include "messages/in_quotes.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -47,8 +48,9 @@ OffHeader read_off_header(TextCursor& at) {
   } else if (keyword != "OFF") {
     if (keyword.ends_with("OFF"))
       fail(Errc::unsupported, "{}: {} is not supported; use OFF, COFF or nOFF", at.place(),
-           in_quotes(keyword));
-    fail(Errc::bad_format, "{}: expected 'OFF', 'COFF' or 'nOFF', found {}", at.place(), in_quotes(keyword));
+           messages::in_quotes(keyword));
+    fail(Errc::bad_format, "{}: expected 'OFF', 'COFF' or 'nOFF', found {}", at.place(),
+         messages::in_quotes(keyword));
   }
   at.skip_blanks();
   if (std::string_view(at.position(), at.remaining()).starts_with("BINARY"))
@@ -60,7 +62,8 @@ OffHeader read_off_header(TextCursor& at) {
   header.num_cells = at.count("the number of faces", any);
   if (!at.skip_to_content()) at.count("the number of edges", any);
   if (!at.skip_to_content())
-    fail(Errc::bad_format, "{}: unexpected {} after the counts", at.place(), in_quotes(at.rest_of_line()));
+    fail(Errc::bad_format, "{}: unexpected {} after the counts", at.place(),
+         messages::in_quotes(at.rest_of_line()));
   return header;
 }
 
@@ -90,7 +93,7 @@ PointTable read_off_vertices(TextCursor& at, const OffHeader& header) {
       at.skip_to_line_end();
     } else if (!at.skip_to_content()) {
       fail(Errc::bad_format, "{}: vertex {}: more than {} coordinates: {}", at.place(), row, dimension,
-           in_quotes(at.rest_of_line()));
+           messages::in_quotes(at.rest_of_line()));
     }
     at.take_line_end();
   }
@@ -144,7 +147,7 @@ ComplexData read_off_complex(std::string_view bytes, const std::string& name) {
   const char* const end_of_faces = at.position();
   if (at.find_content())
     fail(Errc::bad_format, "{}: more than the {} faces promised: {}", at.place(), header.num_cells,
-         in_quotes(at.rest_of_line()));
+         messages::in_quotes(at.rest_of_line()));
   data.affine_dimension = static_cast<int>(size) - 1;
   data.kind = kind_in(header.comments, name);
   if (data.kind == DataKind::unknown)

@@ -5,6 +5,7 @@
 #include "io/file.hpp"
 #include "io/points/read_points.hpp"
 #include "io/text_cursor.hpp"
+#include "messages/in_quotes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -54,7 +55,7 @@ Type parse_type(const TextCursor& at, std::string_view text) {
                                                                   {"double", "float64"}}};
   for (std::size_t i = 0; i < names.size(); ++i)
     if (text == names[i][0] || text == names[i][1]) return static_cast<Type>(i);
-  fail(Errc::bad_format, "{}: {} is not a type of PLY", at.place(), in_quotes(text));
+  fail(Errc::bad_format, "{}: {} is not a type of PLY", at.place(), messages::in_quotes(text));
 }
 
 /// The next word of this line of the header.
@@ -101,16 +102,18 @@ Header parse_header(TextCursor& at) {
       else if (encoding == "binary_big_endian")
         header.encoding = Encoding::big_endian;
       else
-        fail(Errc::unsupported, "{}: the PLY format {} is not supported", at.place(), in_quotes(encoding));
+        fail(Errc::unsupported, "{}: the PLY format {} is not supported", at.place(),
+             messages::in_quotes(encoding));
       if (version != "1.0")
-        fail(Errc::unsupported, "{}: PLY version {} is not supported", at.place(), in_quotes(version));
+        fail(Errc::unsupported, "{}: PLY version {} is not supported", at.place(),
+             messages::in_quotes(version));
       has_format = true;
     } else if (keyword == "element") {
       Element element;
       element.name = word(at);
       const std::string count = word(at);
       const auto value = to_count(count);
-      if (!value) fail(Errc::bad_format, "{}: {} is not a count", at.place(), in_quotes(count));
+      if (!value) fail(Errc::bad_format, "{}: {} is not a count", at.place(), messages::in_quotes(count));
       element.count = *value;
       header.elements.push_back(std::move(element));
     } else if (keyword == "property") {
@@ -119,7 +122,8 @@ Header parse_header(TextCursor& at) {
     } else if (keyword == "end_header") {
       break;
     } else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info") {
-      fail(Errc::bad_format, "{}: {} does not belong in a PLY header", at.place(), in_quotes(keyword));
+      fail(Errc::bad_format, "{}: {} does not belong in a PLY header", at.place(),
+           messages::in_quotes(keyword));
     }
   }
   if (!has_format) fail(Errc::bad_format, "{}: the header has no 'format' line", at.place());
@@ -263,7 +267,7 @@ std::vector<std::size_t> select(const Element& vertex, const ColumnChoice& choic
     if (position(one) == available.size() || one.empty()) {
       std::erase(available, std::string{});
       fail(Errc::bad_format, "{}: columns: the vertices have no property {}; they have {}", name,
-           in_quotes(one), joined(available));
+           messages::in_quotes(one), joined(available));
     }
     columns.push_back(position(one));
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // read_points: chooses the reader by the format.
 #include "io/points/read_points.hpp"
+#include "base/progress_meter.hpp"
 
 #include "io/file.hpp"
 #include "io/npy.hpp"
@@ -77,7 +78,8 @@ void check_opening(const std::string& format, std::string_view opening, bool is_
 
 }  // namespace
 
-PointTable read_points(const std::string& path, const ReadOptions& options) {
+PointTable read_points(const std::string& path, const ReadOptions& options, const Execution& how) {
+  const internal::ProgressMeter meter(how.progress);
   io::refuse_folder(path, "a file of points");
   const std::string format = io::choose_format(
       path, options.format, "qhull", {"npy", "csv", "tsv", "txt", "xyz", "pts", "dat", "off", "ply", "qhull"},
@@ -88,16 +90,17 @@ PointTable read_points(const std::string& path, const ReadOptions& options) {
         path, options.max_stream_bytes,
         [&](std::string_view opening, bool is_whole) { check_opening(format, opening, is_whole, name); });
     const std::string_view bytes = file.view();
-    const io::ReadingInParts how{.threads = options.threads};
+    const io::ReadingInParts in_parts{.threads = how.threads};
     const io::ColumnChoice choice{.wanted = options.columns, .last = options.values};
     if (format == "csv" || format == "tsv")
-      return with_values(io::read_delimited(bytes, name, format == "csv" ? ',' : '\t', choice, how), name);
+      return with_values(io::read_delimited(bytes, name, format == "csv" ? ',' : '\t', choice, in_parts),
+                         name);
     if (format == "ply") return with_values(io::read_ply(bytes, name, choice), name);
     PointTable table =
         format == "npy"     ? io::with_hint(bytes, format, [&] { return io::read_npy(bytes, name); })
         : format == "off"   ? io::with_hint(bytes, format, [&] { return io::read_off(bytes, name); })
         : format == "qhull" ? io::read_qhull(bytes, name)
-                            : io::read_white_space(bytes, name, how);
+                            : io::read_white_space(bytes, name, in_parts);
     return with_values(with_columns(std::move(table), choice, name), name);
   });
 }

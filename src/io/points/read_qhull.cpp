@@ -5,6 +5,7 @@
 #include "io/points/hints.hpp"
 #include "io/points/read_points.hpp"
 #include "io/points/text_rows.hpp"
+#include "messages/in_quotes.hpp"
 
 #include <cmath>
 #include <cstdint>
@@ -48,7 +49,7 @@ class QhullReader {
     }
     if (at.find_content())
       fail(Errc::bad_format, "{}: expected {} points of {} coordinates, but more follows: {}", at.place(),
-           count_, dimension_, in_quotes(at.token()));
+           count_, dimension_, messages::in_quotes(at.token()));
   }
   std::size_t dimension() const { return dimension_; }
   std::uint64_t count() const { return count_; }

@@ -7,6 +7,7 @@
 #include "io/points/read_points.hpp"
 #include "io/points/text_rows.hpp"
 #include "io/text_cursor.hpp"
+#include "messages/in_quotes.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -191,7 +192,7 @@ class DelimitedReader {
         std::any_of(fields.begin(), fields.end(), is_chosen))
       return true;
     fail(Errc::bad_format, "{}: {} is not a number; a header has names only, or numbers in quotes",
-         field_place(static_cast<std::size_t>(name - fields.begin()), line), in_quotes(name->text));
+         field_place(static_cast<std::size_t>(name - fields.begin()), line), messages::in_quotes(name->text));
   }
 
   /// The first line gives the number of columns, and their names if it has names.
@@ -241,7 +242,8 @@ class DelimitedReader {
     if (number_text.empty()) fail(Errc::bad_format, "{}: the field is empty", field_place(column, row_line));
     const auto number = to_number(number_text);
     if (!number)
-      fail(Errc::bad_format, "{}: {} is not a number", field_place(column, row_line), in_quotes(text));
+      fail(Errc::bad_format, "{}: {} is not a number", field_place(column, row_line),
+           messages::in_quotes(text));
     if (!std::isfinite(*number)) note_not_finite(column, row_line, number_text);
     return *number;
   }

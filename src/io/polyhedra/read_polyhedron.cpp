@@ -160,10 +160,10 @@ PolyhedronRows read_polyhedron(const std::string& path, std::uint64_t max_stream
   });
 }
 
-ExactPolyhedron to_polyhedron(const PolyhedronRows& rows, const Options& options) {
+Polyhedron to_polyhedron(const PolyhedronRows& rows, const Options& options) {
   return rows.has_generators
-             ? ExactPolyhedron::from_generators(rows.vertices, rows.rays, rows.lines, rows.dimension, options)
-             : ExactPolyhedron::from_inequalities(rows.inequalities, rows.equations, rows.dimension, options);
+             ? Polyhedron::from_generators(rows.vertices, rows.rays, rows.lines, rows.dimension, options)
+             : Polyhedron::from_inequalities(rows.inequalities, rows.equations, rows.dimension, options);
 }
 
 }  // namespace delone

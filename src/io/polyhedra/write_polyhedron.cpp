@@ -19,7 +19,7 @@ class RepresentationWriter {
  public:
   explicit RepresentationWriter(io::AtomicFile& file) : file_(file) {}
 
-  void write_inequalities(const ExactPolyhedron& polyhedron) {
+  void write_inequalities(const Polyhedron& polyhedron) {
     const RationalRows equations = polyhedron.equations(), inequalities = polyhedron.inequalities();
     begin("H", equations.size(), equations.size() + inequalities.size(), polyhedron.dimension(), true);
     for (const RationalRows* rows : {&equations, &inequalities})
@@ -31,7 +31,7 @@ class RepresentationWriter {
       }
     file_.write("end\n");
   }
-  void write_generators(const ExactPolyhedron& polyhedron) {
+  void write_generators(const Polyhedron& polyhedron) {
     const RationalRows lines = polyhedron.lines(), vertices = polyhedron.vertices(), rays = polyhedron.rays();
     begin("V", lines.size(), lines.size() + vertices.size() + rays.size(), polyhedron.dimension(),
           is_integer(vertices));
@@ -65,7 +65,7 @@ class RepresentationWriter {
 
 }  // namespace
 
-void write_polyhedron(const std::string& path, const ExactPolyhedron& polyhedron, const std::string& format) {
+void write_polyhedron(const std::string& path, const Polyhedron& polyhedron, const std::string& format) {
   const std::string name = io::output_name(path);
   const std::string chosen =
       io::choose_format(path, format, "ine", {"ine", "ext"}, io::Use::writing, "a polyhedron");

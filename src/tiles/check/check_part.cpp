@@ -131,12 +131,12 @@ std::string rows_text(const CheckedPart& part, std::size_t cell) {
   return fmt::format("{{{}}}", fmt::join(rows, ", "));
 }
 
-std::size_t check_part(const CheckedPart& part, Reference& reference, const CheckOptions& options,
+std::size_t check_part(const CheckedPart& part, Reference& reference, bool canonical, unsigned threads,
                        Findings& findings) {
   using namespace internal;
   const ComplexData& data = part.data;
-  Examined examined{data, part.corners(), Lift::paraboloid, options.threads};
-  if (!passes(part, 1, findings, [&] { check_storage(data, false, options.threads); })) return 0;
+  Examined examined{data, part.corners(), Lift::paraboloid, threads};
+  if (!passes(part, 1, findings, [&] { check_storage(data, false, threads); })) return 0;
   if (data.num_cells() == 0) return 0;
   examined.weighted_rows = weighted_rows(data);
   examined.neighbors.reserve(part.tile.neighbors.size());
@@ -154,7 +154,7 @@ std::size_t check_part(const CheckedPart& part, Reference& reference, const Chec
   std::size_t ties = 0;
   if (data.affine_dimension == 0) return ties;
   passes(part, 5, findings, [&] {
-    ties = check_inner_facets(examined, volumes, options.canonical);
+    ties = check_inner_facets(examined, volumes, canonical);
     check_covered_once(part, examined, volumes, reference);
   });
   return ties;

@@ -27,6 +27,7 @@
 // are not in the parts, so nothing is proved of them but that they are counted once; unless the input is at
 // hand, which duplicates are compared with.
 #include "tiles/check/check_tiles.hpp"
+#include "base/progress_meter.hpp"
 
 #include "base/random.hpp"
 #include "io/file.hpp"
@@ -126,8 +127,8 @@ CheckedPart read_checked(const std::string& folder, const TilesIndex& index, std
 
 }  // namespace
 
-CheckReport check_tiles(const std::string& folder, const CheckOptions& options, std::uint64_t memory,
-                        std::optional<PointsView> input) {
+CheckReport check_tiles(const std::string& folder, const CheckOptions& options, unsigned threads,
+                        std::uint64_t memory, std::optional<PointsView> input) {
   if (options.furthest_site || !options.oriented)
     io::fail(Errc::invalid_argument,
              "cells of tiles are oriented and Delaunay or regular; oriented and furthest_site are options of "
@@ -156,7 +157,7 @@ CheckReport check_tiles(const std::string& folder, const CheckOptions& options, 
       if (error.code() != Errc::bad_format && error.code() != Errc::cannot_open) throw;
       return findings.add(1, {error.what()});
     }
-    ties += check_part(*part, reference, options, findings);
+    ties += check_part(*part, reference, options.canonical, threads, findings);
     if (findings.wanted(2)) seams.add(*part);
     if (findings.wanted(6)) rows.add(*part, findings);
   };
@@ -193,12 +194,17 @@ CheckReport check_tiles(const std::string& folder, const CheckOptions& options, 
 
 namespace delone {
 
-CheckReport check_tiles(const std::string& folder, const CheckOptions& options) {
-  return io::guarded(io::input_name(folder), [&] { return tiles::check_tiles(folder, options, 0); });
+CheckReport check_tiles(const std::string& folder, const CheckOptions& options, const Execution& how) {
+  const internal::ProgressMeter meter(how.progress);
+  return io::guarded(io::input_name(folder),
+                     [&] { return tiles::check_tiles(folder, options, how.threads, 0); });
 }
 
-CheckReport check_tiles(const std::string& folder, PointsView input, const CheckOptions& options) {
-  return io::guarded(io::input_name(folder), [&] { return tiles::check_tiles(folder, options, 0, input); });
+CheckReport check_tiles(const std::string& folder, PointsView input, const CheckOptions& options,
+                        const Execution& how) {
+  const internal::ProgressMeter meter(how.progress);
+  return io::guarded(io::input_name(folder),
+                     [&] { return tiles::check_tiles(folder, options, how.threads, 0, input); });
 }
 
 }  // namespace delone

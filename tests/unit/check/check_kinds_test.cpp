@@ -28,7 +28,7 @@ using ::testing::HasSubstr;
 /// All levels are passed, and they are those of the kind.
 void expect_proved(const ComplexData& data, DataKind kind, const char* not_examined = "") {
   ASSERT_EQ(data.kind, kind);
-  const CheckReport report = check(data, {.threads = 2});
+  const CheckReport report = check(data, {}, {.threads = 2});
   EXPECT_TRUE(report.ok) << name_of(kind) << ": " << report.violation;
   EXPECT_EQ(report.reached.number, check_levels(kind).back().number);
   EXPECT_EQ(report.reached.name, check_levels(kind).back().name);

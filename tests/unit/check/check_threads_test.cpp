@@ -32,12 +32,10 @@ std::vector<double> random_rows(std::size_t count) {
 ComplexData in_plane() { return Delaunay<2>(random_rows(2 * 6000)).to_data(); }
 ComplexData in_space() { return Delaunay<3>(random_rows(3 * 2000)).to_data(); }
 
-void expect_one_report(const ComplexData& data, CheckOptions options = {}) {
-  options.threads = 1;
+void expect_one_report(const ComplexData& data, const CheckOptions& options = {}) {
   const CheckReport expected = check(data, options);
   for (const unsigned threads : numbers_of_threads) {
-    options.threads = threads;
-    const CheckReport report = check(data, options);
+    const CheckReport report = check(data, options, {.threads = threads});
     EXPECT_EQ(report.ok, expected.ok);
     EXPECT_EQ(report.reached.number, expected.reached.number);
     EXPECT_EQ(report.violation, expected.violation) << threads;
@@ -55,7 +53,7 @@ TEST(CheckThreads, NoViolation) {
     for (int y = 0; y < 80; ++y) lattice.insert(lattice.end(), {double(x), double(y)});
   const ComplexData data = Delaunay<2>(lattice).to_data();
   expect_one_report(data);
-  EXPECT_GT(check(data, {.threads = 3}).ties, 0u);
+  EXPECT_GT(check(data, {}, {.threads = 3}).ties, 0u);
 }
 
 TEST(CheckThreads, HiddenPoints) {
@@ -103,14 +101,14 @@ TEST(CheckThreads, Hashes) {
   const Delaunay<3> t(random_rows(3 * 4000));
   const ComplexData data = t.to_data();
   for (const unsigned threads : numbers_of_threads) {
-    EXPECT_EQ(t.hash(threads), t.hash());
-    EXPECT_EQ(canonical_hash(data, threads), t.hash());
+    EXPECT_EQ(t.hash({.threads = threads}), t.hash());
+    EXPECT_EQ(canonical_hash(data, {.threads = threads}), t.hash());
   }
   ComplexData bad = data;
   for (const std::size_t c : {bad.num_cells() - 1, bad.num_cells() / 2}) bad.cells[4 * c] = -5;
   const auto message = [&](unsigned threads) {
     try {
-      canonical_hash(bad, threads);
+      canonical_hash(bad, {.threads = threads});
     } catch (const Error& error) {
       return std::string(error.what());
     }

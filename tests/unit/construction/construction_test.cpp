@@ -70,13 +70,13 @@ void expect_what_changes_tell(const T& t, const std::vector<CellId>& before, Ind
   std::vector<CellId> now;
   for (const CellId c : t.all_cells()) now.push_back(c);
   std::vector<CellId> expected;
-  std::set_difference(before.begin(), before.end(), changes.killed.begin(), changes.killed.end(),
-                      std::back_inserter(expected));
-  expected.insert(expected.end(), changes.born.begin(), changes.born.end());
+  std::set_difference(before.begin(), before.end(), changes.removed_cells.begin(),
+                      changes.removed_cells.end(), std::back_inserter(expected));
+  expected.insert(expected.end(), changes.created_cells.begin(), changes.created_cells.end());
   std::sort(expected.begin(), expected.end());
   std::sort(now.begin(), now.end());
   EXPECT_EQ(expected, now);
-  for (const VertexId v : changes.came) EXPECT_GE(index(v), ids_before);
+  for (const VertexId v : changes.added_vertices) EXPECT_GE(index(v), ids_before);
 }
 
 TEST(Construction, BatchesOnRecordAreThoseOffIt) {
@@ -98,7 +98,7 @@ TEST(Construction, BatchesOnRecordAreThoseOffIt) {
       on.insert_range(second);
       EXPECT_EQ(on.hash(), off.hash());
       EXPECT_EQ(on.num_duplicates(), off.num_duplicates());
-      EXPECT_EQ(on.changes().came.size(), on.num_vertices() - 500u);
+      EXPECT_EQ(on.changes().added_vertices.size(), on.num_vertices() - 500u);
       expect_what_changes_tell(on, before, 501);
       for (std::size_t row = 0; row < on.num_rows(); ++row)
         EXPECT_EQ(on.row_of(on.vertex_at(row)), off.row_of(off.vertex_at(row)));
@@ -126,7 +126,7 @@ TEST(Construction, TellsWhichVerticesABatchHides) {
     if (visible[row] != invalid_vertex && t.is_hidden(row)) hid.push_back(visible[row]);
   std::sort(hid.begin(), hid.end());
   EXPECT_FALSE(hid.empty());
-  EXPECT_EQ(t.changes().hid, hid);
+  EXPECT_EQ(t.changes().hidden_vertices, hid);
   t.undo();
   for (std::size_t row = 0; row < 200; ++row) EXPECT_EQ(t.vertex_at(row), visible[row]);
 }
@@ -173,7 +173,7 @@ TEST(Construction, RaisesTheDimensionOnRecord) {
   const std::vector<double> up{0, 0, 1, 1, 1, 1, 0.5, 0.5, 0.5};
   t.insert_range(up);
   EXPECT_EQ(t.affine_dimension(), 3);
-  EXPECT_EQ(t.changes().came.size(), 3u);
+  EXPECT_EQ(t.changes().added_vertices.size(), 3u);
   t.undo();
   EXPECT_EQ(t.affine_dimension(), 2);
   EXPECT_EQ(t.hash(), flat);

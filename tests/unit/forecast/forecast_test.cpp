@@ -6,6 +6,7 @@
 #include "forecast/growth.hpp"
 #include "forecast/lattice_points.hpp"
 #include "forecast/speed.hpp"
+#include "messages/readable.hpp"
 #include "scale.hpp"
 
 #include <delone/delaunay.hpp>
@@ -87,7 +88,7 @@ TEST(Forecast, EstimatesDependOnTheSetOfPointsAlone) {
   std::vector<double> points = make_point_set("gaussian", 3, 4000, 3), turned;
   for (std::size_t i = 4000; i-- > 0;) turned.insert(turned.end(), &points[3 * i], &points[3 * i] + 3);
   // So little time that only the first sample is built.
-  const EstimateOptions options{.sample_seconds = 1e-9};
+  const ForecastOptions options{.sample_seconds = 1e-9};
   EXPECT_EQ(estimate(points, 3, options).cells.expected, estimate(turned, 3, options).cells.expected);
 }
 
@@ -125,7 +126,7 @@ TEST(Forecast, NumbersBeyondAllNumbersAreFinite) {
       EXPECT_LE(quantity.low, quantity.expected) << kind;
       EXPECT_LE(quantity.expected, quantity.high) << kind;
     }
-    EXPECT_EQ(readable_bytes(huge.bytes.expected), "more than 1000 EB");
+    EXPECT_EQ(messages::readable_bytes(huge.bytes.expected), "more than 1000 EB");
   }
 }
 

@@ -177,7 +177,7 @@ TEST(IntersectionArrays, WithoutInteriorNameTheirWitness) {
 TEST(IntersectionParts, WithoutRowsAreAllOfSpace) {
   const IntersectionParts parts(2);
   EXPECT_EQ(parts.rank(), 0);
-  EXPECT_TRUE(std::isnan(dual_measure(parts, true)));
+  EXPECT_TRUE(std::isnan(dual_measure(parts, true).value));
   const IntersectionData space = intersection_arrays(parts);
   EXPECT_EQ(space.num_vertices(), 0u);
   EXPECT_THAT(space.lineality, ElementsAre(1, 0, 0, 1));

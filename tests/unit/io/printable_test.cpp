@@ -2,6 +2,8 @@
 // Foreign text in messages: nothing that a terminal would act on, no more than was agreed.
 #include <delone/printable.hpp>
 
+#include "messages/in_quotes.hpp"
+
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -10,8 +12,8 @@
 
 namespace {
 
-using delone::in_quotes;
 using delone::printable;
+using delone::messages::in_quotes;
 
 TEST(Printable, LeavesTextAsItIs) {
   for (const std::string text : {"", "a b", "größe in µm", "точка", "点", "x\\y 'z'", "\xf0\x9f\x98\x80"})

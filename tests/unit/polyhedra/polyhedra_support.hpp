@@ -38,7 +38,7 @@ inline RationalRows random_rationals(random::Generator& generator, std::size_t c
   return rows;
 }
 
-inline ExactPolyhedron box(int d, const Rational& lower, const Rational& upper) {
+inline Polyhedron box(int d, const Rational& lower, const Rational& upper) {
   RationalRows rows;
   for (int i = 0; i < d; ++i)
     for (const int sign : {1, -1}) {
@@ -47,10 +47,10 @@ inline ExactPolyhedron box(int d, const Rational& lower, const Rational& upper) 
       row.back() = sign > 0 ? upper : as_rational(-as_fraction(lower));
       rows.push_back(row);
     }
-  return ExactPolyhedron::from_inequalities(rows, {}, d);
+  return Polyhedron::from_inequalities(rows, {}, d);
 }
-inline ExactPolyhedron unit_cube(int d) { return box(d, 0, 1); }
-inline ExactPolyhedron cube_around_origin(int d) { return box(d, -1, 1); }
+inline Polyhedron unit_cube(int d) { return box(d, 0, 1); }
+inline Polyhedron cube_around_origin(int d) { return box(d, -1, 1); }
 
 inline RationalRows permutations(int n) {
   std::vector<int> order(static_cast<std::size_t>(n));

@@ -17,14 +17,14 @@ using ::testing::ElementsAre;
 using Point = std::vector<Rational>;
 
 /// Bounded or not, flat or not, sometimes empty.
-ExactPolyhedron random_polyhedron(random::Generator& generator, int dimension) {
+Polyhedron random_polyhedron(random::Generator& generator, int dimension) {
   const auto d = static_cast<std::size_t>(dimension);
   if (generator.coin())
-    return ExactPolyhedron::from_generators(random_rationals(generator, generator.below(6), d, 2),
+    return Polyhedron::from_generators(random_rationals(generator, generator.below(6), d, 2),
                                             random_rationals(generator, generator.below(3), d, 2),
                                             random_rationals(generator, generator.below(5) / 4, d, 2),
                                             dimension);
-  return ExactPolyhedron::from_inequalities(random_rationals(generator, generator.below(8), d + 1, 3),
+  return Polyhedron::from_inequalities(random_rationals(generator, generator.below(8), d + 1, 3),
                                             random_rationals(generator, generator.below(5) / 4, d + 1, 3),
                                             dimension);
 }
@@ -49,7 +49,7 @@ Point mapped(const RationalRows& matrix, const Point& x, const Point& t) {
 }
 
 /// A point of a polyhedron that is not empty: a mean of vertices plus rays and lines.
-Point random_member(random::Generator& generator, const ExactPolyhedron& p) {
+Point random_member(random::Generator& generator, const Polyhedron& p) {
   const RationalRows vertices = p.vertices(), rays = p.rays(), lines = p.lines();
   const auto d = static_cast<std::size_t>(p.dimension());
   brute_force::Vector x(d, 0);
@@ -75,7 +75,7 @@ TEST(PolyhedronOperations, IntersectionsAndInclusion) {
   int members = 0;
   for (std::size_t round = 0; round < rounds; ++round) {
     const int d = 1 + static_cast<int>(generator.below(3));
-    const ExactPolyhedron a = random_polyhedron(generator, d), b = random_polyhedron(generator, d),
+    const Polyhedron a = random_polyhedron(generator, d), b = random_polyhedron(generator, d),
                           both = a.intersection(b);
     EXPECT_EQ(both, b.intersection(a));
     EXPECT_TRUE(a.includes(both) && b.includes(both));
@@ -95,8 +95,8 @@ TEST(PolyhedronOperations, UnionsAndSums) {
   const std::size_t rounds = test::scaled_count(200);
   for (std::size_t round = 0; round < rounds; ++round) {
     const int d = 1 + static_cast<int>(generator.below(3));
-    const ExactPolyhedron a = random_polyhedron(generator, d), b = random_polyhedron(generator, d);
-    const ExactPolyhedron hull = a.convex_union(b), total = a.minkowski_sum(b);
+    const Polyhedron a = random_polyhedron(generator, d), b = random_polyhedron(generator, d);
+    const Polyhedron hull = a.convex_union(b), total = a.minkowski_sum(b);
     EXPECT_EQ(hull, b.convex_union(a));
     EXPECT_EQ(total, b.minkowski_sum(a));
     EXPECT_TRUE(hull.includes(a) && hull.includes(b));
@@ -124,13 +124,13 @@ TEST(PolyhedronOperations, Products) {
   const std::size_t rounds = test::scaled_count(100);
   for (std::size_t round = 0; round < rounds; ++round) {
     const int d = static_cast<int>(generator.below(3)), e = static_cast<int>(generator.below(3));
-    const ExactPolyhedron a = random_polyhedron(generator, d), b = random_polyhedron(generator, e),
+    const Polyhedron a = random_polyhedron(generator, d), b = random_polyhedron(generator, e),
                           both = a.product(b);
     // The same, by the way over all inequalities.
-    EXPECT_EQ(both, ExactPolyhedron::from_inequalities(both.inequalities(), both.equations(), d + e));
+    EXPECT_EQ(both, Polyhedron::from_inequalities(both.inequalities(), both.equations(), d + e));
     EXPECT_EQ(
         both.inequalities(),
-        ExactPolyhedron::from_generators(both.vertices(), both.rays(), both.lines(), d + e).inequalities());
+        Polyhedron::from_generators(both.vertices(), both.rays(), both.lines(), d + e).inequalities());
     std::vector<int> first, second;
     for (int i = 0; i < d; ++i) first.push_back(i);
     for (int i = d; i < d + e; ++i) second.push_back(i);
@@ -149,15 +149,15 @@ TEST(PolyhedronOperations, Polars) {
   const std::size_t rounds = test::scaled_count(150);
   for (std::size_t round = 0; round < rounds; ++round) {
     const int d = 1 + static_cast<int>(generator.below(3));
-    const ExactPolyhedron a = random_polyhedron(generator, d), polar = a.polar();
+    const Polyhedron a = random_polyhedron(generator, d), polar = a.polar();
     // Twice is the closed hull with the origin, and three times the same as once.
-    const ExactPolyhedron origin =
-        ExactPolyhedron::from_generators({std::initializer_list<Rational>{}}, {}, {}, 0)
+    const Polyhedron origin =
+        Polyhedron::from_generators({std::initializer_list<Rational>{}}, {}, {}, 0)
             .image(RationalRows(), {});
-    EXPECT_EQ(origin, ExactPolyhedron::space(0));
+    EXPECT_EQ(origin, Polyhedron::space(0));
     RationalRows zero;
     zero.push_back(Point(static_cast<std::size_t>(d)));
-    EXPECT_EQ(polar.polar(), a.convex_union(ExactPolyhedron::from_generators(zero, {}, {}, d)));
+    EXPECT_EQ(polar.polar(), a.convex_union(Polyhedron::from_generators(zero, {}, {}, d)));
     EXPECT_EQ(polar.polar().polar(), polar);
     for (int i = 0; i < 10; ++i) {
       const Point y = random_point(generator, static_cast<std::size_t>(d));
@@ -173,11 +173,11 @@ TEST(PolyhedronOperations, ImagesAndPreimages) {
   const std::size_t rounds = test::scaled_count(200);
   for (std::size_t round = 0; round < rounds; ++round) {
     const std::size_t d = 1 + generator.below(3), e = 1 + generator.below(3);
-    const ExactPolyhedron a = random_polyhedron(generator, static_cast<int>(d));
+    const Polyhedron a = random_polyhedron(generator, static_cast<int>(d));
     const RationalRows matrix = random_rationals(generator, e, d, 2),
                        other = random_rationals(generator, d, e, 2);
     const Point t = random_point(generator, e), s = random_point(generator, d);
-    const ExactPolyhedron image = a.image(matrix, t), preimage = a.preimage(other, static_cast<int>(e), s);
+    const Polyhedron image = a.image(matrix, t), preimage = a.preimage(other, static_cast<int>(e), s);
     EXPECT_EQ(image.is_empty(), a.is_empty());
     if (!a.is_empty()) {
       EXPECT_TRUE(image.contains(mapped(matrix, random_member(generator, a), t)));
@@ -192,18 +192,18 @@ TEST(PolyhedronOperations, ImagesAndPreimages) {
         row.push_back(as_rational(as_fraction(y[r]) - as_fraction(t[r])));
         fiber.push_back(row);
       }
-      const ExactPolyhedron points = ExactPolyhedron::from_inequalities({}, fiber, static_cast<int>(d));
+      const Polyhedron points = Polyhedron::from_inequalities({}, fiber, static_cast<int>(d));
       EXPECT_EQ(image.contains(y), !a.intersection(points).is_empty());
     }
   }
 }
 
 TEST(PolyhedronOperations, ProjectionsKeepAxesInOrder) {
-  const ExactPolyhedron box = ExactPolyhedron::from_inequalities(
+  const Polyhedron box = Polyhedron::from_inequalities(
       {{-1, 0, 0, 0}, {1, 0, 0, 1}, {0, -1, 0, 0}, {0, 1, 0, 2}, {0, 0, -1, 0}, {0, 0, 1, 3}}, {}, 3);
   EXPECT_EQ(box.projection(std::vector<int>{2, 0}).vertices(),
             (RationalRows{{0, 0}, {0, 1}, {3, 0}, {3, 1}}));
-  EXPECT_EQ(box.projection({}), ExactPolyhedron::space(0));
+  EXPECT_EQ(box.projection({}), Polyhedron::space(0));
   EXPECT_THROW(box.projection(std::vector<int>{3}), Error);
   EXPECT_THROW(box.projection(std::vector<int>{1, 1}), Error);
 }
@@ -214,7 +214,7 @@ TEST(PolyhedronOperations, OptimaAreFaces) {
   int attained = 0, unbounded = 0;
   for (std::size_t round = 0; round < rounds; ++round) {
     const std::size_t d = 1 + generator.below(3);
-    const ExactPolyhedron a = random_polyhedron(generator, static_cast<int>(d));
+    const Polyhedron a = random_polyhedron(generator, static_cast<int>(d));
     const Point c = random_point(generator, d);
     const Optimum most = a.maximize(c);
     RationalRows row;
@@ -225,12 +225,12 @@ TEST(PolyhedronOperations, OptimaAreFaces) {
     equations.push_back(equation);
     if (most.state == Optimum::State::attained) {
       ++attained;
-      const ExactPolyhedron face =
-          a.intersection(ExactPolyhedron::from_inequalities({}, equations, static_cast<int>(d)));
+      const Polyhedron face =
+          a.intersection(Polyhedron::from_inequalities({}, equations, static_cast<int>(d)));
       RationalRows vertices, rays;
       for (const std::size_t v : most.vertices) vertices.push_back(a.vertices()[v]);
       for (const std::size_t r : most.rays) rays.push_back(a.rays()[r]);
-      EXPECT_EQ(face, ExactPolyhedron::from_generators(vertices, rays, a.lines(), static_cast<int>(d)));
+      EXPECT_EQ(face, Polyhedron::from_generators(vertices, rays, a.lines(), static_cast<int>(d)));
       EXPECT_LE(Rational(as_rational(value_at(c, random_member(generator, a)))), most.value);
       EXPECT_GE(most.value,
                 a.minimize(c).state == Optimum::State::attained ? a.minimize(c).value : most.value);
@@ -241,7 +241,7 @@ TEST(PolyhedronOperations, OptimaAreFaces) {
       RationalRows far;
       far.push_back(equation);
       EXPECT_FALSE(
-          a.intersection(ExactPolyhedron::from_inequalities(far, {}, static_cast<int>(d))).is_empty());
+          a.intersection(Polyhedron::from_inequalities(far, {}, static_cast<int>(d))).is_empty());
     } else {
       EXPECT_TRUE(a.is_empty());
     }
@@ -251,17 +251,17 @@ TEST(PolyhedronOperations, OptimaAreFaces) {
 }
 
 TEST(PolyhedronOperations, Boxes) {
-  const ExactPolyhedron triangle =
-      ExactPolyhedron::from_generators({{Rational("-7/2"), 1}, {2, Rational("1/3")}, {0, 5}}, {}, {}, 2);
+  const Polyhedron triangle =
+      Polyhedron::from_generators({{Rational("-7/2"), 1}, {2, Rational("1/3")}, {0, 5}}, {}, {}, 2);
   const RationalBox exact = *triangle.bounding_box(), integer = *triangle.integer_bounding_box();
   EXPECT_THAT(exact.lower, ElementsAre(Rational("-7/2"), Rational("1/3")));
   EXPECT_THAT(exact.upper, ElementsAre(Rational(2), Rational(5)));
   EXPECT_THAT(integer.lower, ElementsAre(Rational(-4), Rational(0)));
   EXPECT_THAT(integer.upper, ElementsAre(Rational(2), Rational(5)));
-  const RationalBox half = *ExactPolyhedron::from_inequalities({{-2, 0, 1}}, {}, 2).integer_bounding_box();
+  const RationalBox half = *Polyhedron::from_inequalities({{-2, 0, 1}}, {}, 2).integer_bounding_box();
   EXPECT_THAT(half.lower, ElementsAre(Rational(-1), std::nullopt));
   EXPECT_THAT(half.upper, ElementsAre(std::nullopt, std::nullopt));
-  EXPECT_EQ(ExactPolyhedron::empty(2).bounding_box(), std::nullopt);
+  EXPECT_EQ(Polyhedron::empty(2).bounding_box(), std::nullopt);
 }
 
 TEST(PolyhedronOperations, KnownVolumes) {
@@ -272,12 +272,12 @@ TEST(PolyhedronOperations, KnownVolumes) {
     EXPECT_EQ(cube_around_origin(d).polar().volume(),
               Rational(Rational(std::int64_t{1} << d), Rational(factorial)));
   }
-  EXPECT_EQ(ExactPolyhedron::space(0).volume(), Rational(1));
-  EXPECT_EQ(ExactPolyhedron::empty(0).volume(), Rational(0));
-  EXPECT_EQ(ExactPolyhedron::space(2).volume(), std::nullopt);
-  EXPECT_EQ(ExactPolyhedron::from_generators({{0, 0}}, {{1, 1}}, {}, 2).volume(), Rational(0));
+  EXPECT_EQ(Polyhedron::space(0).volume(), Rational(1));
+  EXPECT_EQ(Polyhedron::empty(0).volume(), Rational(0));
+  EXPECT_EQ(Polyhedron::space(2).volume(), std::nullopt);
+  EXPECT_EQ(Polyhedron::from_generators({{0, 0}}, {{1, 1}}, {}, 2).volume(), Rational(0));
   // The permutahedron without its last coordinate: n^(n−2) parallelepipeds of the volume 1 (Stanley).
-  const ExactPolyhedron permutahedron = ExactPolyhedron::from_generators(permutations(5), {}, {}, 5);
+  const Polyhedron permutahedron = Polyhedron::from_generators(permutations(5), {}, {}, 5);
   EXPECT_EQ(permutahedron.volume(), Rational(0));
   EXPECT_EQ(permutahedron.projection(std::vector<int>{0, 1, 2, 3}).volume(), Rational(125));
 }
@@ -288,16 +288,16 @@ TEST(PolyhedronOperations, VolumesAddUp) {
   for (std::size_t round = 0; round < rounds; ++round) {
     const std::size_t d = 1 + generator.below(4);
     const int dimension = static_cast<int>(d);
-    const ExactPolyhedron whole =
-        ExactPolyhedron::from_generators(random_rationals(generator, 2 * d + 3, d, 2), {}, {}, dimension);
+    const Polyhedron whole =
+        Polyhedron::from_generators(random_rationals(generator, 2 * d + 3, d, 2), {}, {}, dimension);
     Point row = random_point(generator, d + 1), opposite;
     for (const Rational& x : row) opposite.push_back(as_rational(-as_fraction(x)));
     RationalRows one, other;
     one.push_back(row);
     other.push_back(opposite);
-    const ExactPolyhedron left = whole.intersection(ExactPolyhedron::from_inequalities(one, {}, dimension)),
+    const Polyhedron left = whole.intersection(Polyhedron::from_inequalities(one, {}, dimension)),
                           right =
-                              whole.intersection(ExactPolyhedron::from_inequalities(other, {}, dimension));
+                              whole.intersection(Polyhedron::from_inequalities(other, {}, dimension));
     if (std::all_of(row.begin(), row.end() - 1, [](const Rational& x) { return x == Rational(); })) continue;
     EXPECT_EQ(as_fraction(*left.volume()) + as_fraction(*right.volume()), as_fraction(*whole.volume()));
     // A matrix multiplies it by its determinant: here that of a shear with a stretch.

@@ -65,12 +65,12 @@ Generators find_generators(const RationalRows& inequalities, const RationalRows&
 }
 
 /// That no row of either description can be left out, and all that they say about each other.
-void expect_consistent(const ExactPolyhedron& p) {
+void expect_consistent(const Polyhedron& p) {
   const int d = p.dimension();
   const RationalRows vertices = p.vertices(), rays = p.rays(), lines = p.lines(),
                      inequalities = p.inequalities(), equations = p.equations();
-  EXPECT_EQ(p, ExactPolyhedron::from_inequalities(inequalities, equations, d));
-  const ExactPolyhedron back = ExactPolyhedron::from_generators(vertices, rays, lines, d);
+  EXPECT_EQ(p, Polyhedron::from_inequalities(inequalities, equations, d));
+  const Polyhedron back = Polyhedron::from_generators(vertices, rays, lines, d);
   EXPECT_EQ(p, back);
   EXPECT_EQ(p.hash(), back.hash());
   EXPECT_EQ(back.inequalities(), inequalities);
@@ -83,13 +83,13 @@ void expect_consistent(const ExactPolyhedron& p) {
     return;
   }
   for (std::size_t i = 0; i < inequalities.size(); ++i)
-    EXPECT_NE(ExactPolyhedron::from_inequalities(without(inequalities, {i}), equations, d), p);
+    EXPECT_NE(Polyhedron::from_inequalities(without(inequalities, {i}), equations, d), p);
   for (std::size_t i = 0; i < equations.size(); ++i)
-    EXPECT_NE(ExactPolyhedron::from_inequalities(inequalities, without(equations, {i}), d), p);
+    EXPECT_NE(Polyhedron::from_inequalities(inequalities, without(equations, {i}), d), p);
   for (std::size_t i = 0; vertices.size() > 1 && i < vertices.size(); ++i)
-    EXPECT_NE(ExactPolyhedron::from_generators(without(vertices, {i}), rays, lines, d), p);
+    EXPECT_NE(Polyhedron::from_generators(without(vertices, {i}), rays, lines, d), p);
   for (std::size_t i = 0; i < rays.size(); ++i)
-    EXPECT_NE(ExactPolyhedron::from_generators(vertices, without(rays, {i}), lines, d), p);
+    EXPECT_NE(Polyhedron::from_generators(vertices, without(rays, {i}), lines, d), p);
   for (std::size_t f = 0; f < inequalities.size(); ++f) {
     for (const std::size_t v : p.vertices_of_facet(f)) {
       const std::vector<std::size_t> facets = p.facets_of_vertex(v);
@@ -127,20 +127,20 @@ TEST(Polyhedron, AgreesWithAllSetsOfRows) {
     const std::size_t d = generator.below(5);
     const RationalRows inequalities = random_rationals(generator, generator.below(10), d + 1, 3),
                        equations = random_rationals(generator, generator.below(4) / 3, d + 1, 3);
-    const ExactPolyhedron p =
-        ExactPolyhedron::from_inequalities(inequalities, equations, static_cast<int>(d));
+    const Polyhedron p =
+        Polyhedron::from_inequalities(inequalities, equations, static_cast<int>(d));
     const Generators expected = find_generators(inequalities, equations, d);
     ASSERT_EQ(p.num_vertices(), expected.vertices.size());
     if (p.num_vertices() > 0) {
       ASSERT_EQ(p.num_rays(), expected.rays.size());
       ASSERT_EQ(p.num_lines(), expected.lines.size());
-      EXPECT_EQ(p, ExactPolyhedron::from_generators(expected.vertices, expected.rays, expected.lines,
+      EXPECT_EQ(p, Polyhedron::from_generators(expected.vertices, expected.rays, expected.lines,
                                                     static_cast<int>(d)));
     }
     expect_consistent(p);
     if (!p.is_empty()) {
       const RationalRows needed = without(inequalities, p.redundant_rows());
-      EXPECT_EQ(p, ExactPolyhedron::from_inequalities(needed, equations, static_cast<int>(d)));
+      EXPECT_EQ(p, Polyhedron::from_inequalities(needed, equations, static_cast<int>(d)));
     }
     empty += p.is_empty();
     flat += !p.is_empty() && p.affine_dimension() < p.dimension();
@@ -160,22 +160,22 @@ TEST(Polyhedron, OfGenerators) {
     const RationalRows vertices = random_rationals(generator, 1 + generator.below(9), d, 2),
                        rays = random_rationals(generator, generator.below(5), d, 2),
                        lines = random_rationals(generator, generator.below(4) / 3, d, 2);
-    const ExactPolyhedron p = ExactPolyhedron::from_generators(vertices, rays, lines, dimension);
+    const Polyhedron p = Polyhedron::from_generators(vertices, rays, lines, dimension);
     for (std::size_t i = 0; i < vertices.size(); ++i) EXPECT_TRUE(p.contains(vertices[i]));
     expect_consistent(p);
     const std::vector<std::size_t> redundant = p.redundant_rows();
     std::vector<std::size_t> of_vertices, of_rays;
     for (const std::size_t row : redundant)
       row < vertices.size() ? of_vertices.push_back(row) : of_rays.push_back(row - vertices.size());
-    EXPECT_EQ(p, ExactPolyhedron::from_generators(without(vertices, of_vertices), without(rays, of_rays),
+    EXPECT_EQ(p, Polyhedron::from_generators(without(vertices, of_vertices), without(rays, of_rays),
                                                   lines, dimension));
   }
 }
 
 TEST(Polyhedron, SmallestOnes) {
-  expect_consistent(ExactPolyhedron());
+  expect_consistent(Polyhedron());
   for (int d = 0; d < 4; ++d) {
-    const ExactPolyhedron empty = ExactPolyhedron::empty(d), space = ExactPolyhedron::space(d);
+    const Polyhedron empty = Polyhedron::empty(d), space = Polyhedron::space(d);
     expect_consistent(empty);
     expect_consistent(space);
     EXPECT_TRUE(empty.is_empty());
@@ -186,34 +186,34 @@ TEST(Polyhedron, SmallestOnes) {
     EXPECT_EQ(space.num_inequalities(), 0u);
     EXPECT_NE(empty, space);
     EXPECT_NE(empty.hash(), space.hash());
-    EXPECT_NE(empty.hash(), ExactPolyhedron::empty(d + 1).hash());
+    EXPECT_NE(empty.hash(), Polyhedron::empty(d + 1).hash());
   }
-  const ExactPolyhedron point =
-      ExactPolyhedron::from_inequalities({{1, 0, 2}, {-1, 0, -2}, {0, 3, 1}, {0, -3, -1}}, {}, 2);
+  const Polyhedron point =
+      Polyhedron::from_inequalities({{1, 0, 2}, {-1, 0, -2}, {0, 3, 1}, {0, -3, -1}}, {}, 2);
   expect_consistent(point);
   EXPECT_EQ(point.vertices(), (RationalRows{{2, Rational("1/3")}}));
   EXPECT_EQ(point.vertex_integers(), (RationalRows{{6, 1, 3}}));
   EXPECT_EQ(point.equations(), (RationalRows{{1, 0, 2}, {0, 3, 1}}));
   EXPECT_THAT(point.row_kinds(), testing::Each(RowKind::implicit));
-  EXPECT_TRUE(ExactPolyhedron::from_inequalities({{-1}}, {}, 0).is_empty());  // 0 ≤ −1
-  EXPECT_EQ(ExactPolyhedron::from_inequalities({{0}, {1}}, {{0}}, 0), ExactPolyhedron::space(0));
-  EXPECT_TRUE(ExactPolyhedron::from_inequalities({}, {{0, 0, 1}}, 2).is_empty());  // 0 = 1
+  EXPECT_TRUE(Polyhedron::from_inequalities({{-1}}, {}, 0).is_empty());  // 0 ≤ −1
+  EXPECT_EQ(Polyhedron::from_inequalities({{0}, {1}}, {{0}}, 0), Polyhedron::space(0));
+  EXPECT_TRUE(Polyhedron::from_inequalities({}, {{0, 0, 1}}, 2).is_empty());  // 0 = 1
 }
 
 TEST(Polyhedron, ConesHaveTheOrigin) {
-  const ExactPolyhedron cone = ExactPolyhedron::from_generators({}, {{1, 0}, {1, 1}, {3, 1}}, {}, 2);
+  const Polyhedron cone = Polyhedron::from_generators({}, {{1, 0}, {1, 1}, {3, 1}}, {}, 2);
   EXPECT_EQ(cone.vertices(), (RationalRows{{0, 0}}));
   EXPECT_EQ(cone.rays(), (RationalRows{{1, 0}, {1, 1}}));
   EXPECT_EQ(cone.inequalities(), (RationalRows{{-1, 1, 0}, {0, -1, 0}}));
   EXPECT_THAT(cone.row_kinds(), ElementsAre(RowKind::essential, RowKind::essential, RowKind::redundant));
-  const ExactPolyhedron half = ExactPolyhedron::from_generators({}, {{1, 0}, {-2, 0}, {0, 1}}, {}, 2);
+  const Polyhedron half = Polyhedron::from_generators({}, {{1, 0}, {-2, 0}, {0, 1}}, {}, 2);
   EXPECT_EQ(half.lines(), (RationalRows{{1, 0}}));
   EXPECT_THAT(half.row_kinds(), ElementsAre(RowKind::implicit, RowKind::implicit, RowKind::essential));
   expect_consistent(half);
 }
 
 TEST(Polyhedron, KindsOfRows) {
-  const ExactPolyhedron square = ExactPolyhedron::from_inequalities(
+  const Polyhedron square = Polyhedron::from_inequalities(
       {{1, 0, 1}, {-1, 0, 0}, {0, 1, 1}, {0, -2, 0}, {2, 0, 2}, {1, 1, 2}, {1, 1, 3}, {0, 0, 1}}, {}, 2);
   EXPECT_THAT(square.row_kinds(),
               ElementsAre(RowKind::essential, RowKind::essential, RowKind::essential, RowKind::essential,
@@ -225,7 +225,7 @@ TEST(Polyhedron, KindsOfRows) {
 
 TEST(Polyhedron, KnownPolytopes) {
   for (int d = 1; d <= 5; ++d) {
-    const ExactPolyhedron cube = unit_cube(d), cross = cube_around_origin(d).polar();
+    const Polyhedron cube = unit_cube(d), cross = cube_around_origin(d).polar();
     EXPECT_EQ(cube.num_vertices(), std::size_t{1} << d);
     EXPECT_EQ(cross.num_inequalities(), std::size_t{1} << d);
     EXPECT_EQ(cross.num_vertices(), static_cast<std::size_t>(2 * d));
@@ -237,39 +237,39 @@ TEST(Polyhedron, KnownPolytopes) {
   }
   EXPECT_THAT(unit_cube(4).f_vector(), ElementsAre(16, 32, 24, 8));
   // Permutahedra: flat, and all faces are known.
-  const ExactPolyhedron permutahedron = ExactPolyhedron::from_generators(permutations(5), {}, {}, 5);
+  const Polyhedron permutahedron = Polyhedron::from_generators(permutations(5), {}, {}, 5);
   EXPECT_EQ(permutahedron.num_inequalities(), 30u);
   EXPECT_EQ(permutahedron.equations(), (RationalRows{{1, 1, 1, 1, 1, 15}}));
   EXPECT_THAT(permutahedron.f_vector(), ElementsAre(120, 240, 150, 30));
   EXPECT_THAT(permutahedron.adjacent_vertices(), SizeIs(240));
-  EXPECT_EQ(ExactPolyhedron::from_generators(moment_curve(12, 6), {}, {}, 6).num_inequalities(), 112u);
+  EXPECT_EQ(Polyhedron::from_generators(moment_curve(12, 6), {}, {}, 6).num_inequalities(), 112u);
 }
 
 TEST(Polyhedron, UnboundedFaces) {
-  const ExactPolyhedron prism =
-      ExactPolyhedron::from_inequalities({{-1, 0, 0, 0}, {1, 0, 0, 1}, {0, -1, 0, 0}, {0, 0, -1, 0}}, {}, 3);
+  const Polyhedron prism =
+      Polyhedron::from_inequalities({{-1, 0, 0, 0}, {1, 0, 0, 1}, {0, -1, 0, 0}, {0, 0, -1, 0}}, {}, 3);
   EXPECT_THAT(prism.f_vector(), ElementsAre(2, 5, 4));
   EXPECT_THAT(prism.adjacent_vertices(), ElementsAre(std::pair(0, 1)));
   EXPECT_EQ(prism.num_rays(), 2u);
   expect_consistent(prism);
-  const ExactPolyhedron wedge = ExactPolyhedron::from_inequalities({{-1, 0, 0, 0}, {0, -1, 0, 0}}, {}, 3);
+  const Polyhedron wedge = Polyhedron::from_inequalities({{-1, 0, 0, 0}, {0, -1, 0, 0}}, {}, 3);
   EXPECT_THAT(wedge.f_vector(), ElementsAre(0, 1, 2));
   EXPECT_THAT(wedge.adjacent_facets(), ElementsAre(std::pair(0, 1)));
-  const ExactPolyhedron strip = ExactPolyhedron::from_inequalities({{-1, 0, 0}, {1, 0, 1}}, {}, 2);
+  const Polyhedron strip = Polyhedron::from_inequalities({{-1, 0, 0}, {1, 0, 1}}, {}, 2);
   EXPECT_THAT(strip.adjacent_facets(), IsEmpty());
   EXPECT_THAT(strip.f_vector(), ElementsAre(0, 2));
 }
 
 TEST(Polyhedron, NumbersOfAnySize) {
   const Rational huge("1" + std::string(300, '0')), tiny(5e-324);
-  const ExactPolyhedron box =
-      ExactPolyhedron::from_inequalities({{1, 0, huge}, {-1, 0, 0}, {0, 1, tiny}, {0, -1, 0}}, {}, 2);
+  const Polyhedron box =
+      Polyhedron::from_inequalities({{1, 0, huge}, {-1, 0, 0}, {0, 1, tiny}, {0, -1, 0}}, {}, 2);
   EXPECT_EQ(box.vertices()[3][0], huge);
   EXPECT_EQ(box.vertices()[3][1], tiny);
   EXPECT_THAT(box.vertices().to_doubles(), ElementsAre(0, 0, 0, 5e-324, 1e300, 0, 1e300, 5e-324));
   expect_consistent(box);
-  const ExactPolyhedron thin =
-      ExactPolyhedron::from_inequalities({{1e150, 1, 1e-150}, {-1e150, 1, 0}, {0, -1e-150, 0}}, {}, 2);
+  const Polyhedron thin =
+      Polyhedron::from_inequalities({{1e150, 1, 1e-150}, {-1e150, 1, 0}, {0, -1e-150, 0}}, {}, 2);
   EXPECT_EQ(thin.num_vertices(), 3u);
   expect_consistent(thin);
 }
@@ -285,22 +285,22 @@ Errc code_of(const std::function<void()>& call) {
 }
 
 TEST(Polyhedron, Errors) {
-  EXPECT_EQ(code_of([] { ExactPolyhedron::empty(-1); }), Errc::bad_dimension);
-  EXPECT_EQ(code_of([] { ExactPolyhedron::from_inequalities({{1, 2}}, {}, 2); }), Errc::bad_dimension);
-  EXPECT_EQ(code_of([] { ExactPolyhedron::from_generators({{1, 2}}, {{1}}, {}, 2); }), Errc::bad_dimension);
+  EXPECT_EQ(code_of([] { Polyhedron::empty(-1); }), Errc::bad_dimension);
+  EXPECT_EQ(code_of([] { Polyhedron::from_inequalities({{1, 2}}, {}, 2); }), Errc::bad_dimension);
+  EXPECT_EQ(code_of([] { Polyhedron::from_generators({{1, 2}}, {{1}}, {}, 2); }), Errc::bad_dimension);
   EXPECT_EQ(code_of([] { unit_cube(2).contains(std::vector<Rational>(3)); }), Errc::bad_dimension);
   EXPECT_EQ(code_of([] { unit_cube(2).intersection(unit_cube(3)); }), Errc::bad_dimension);
   EXPECT_EQ(code_of([] { unit_cube(2).facets_of_vertex(4); }), Errc::invalid_argument);
   Options options;
   options.time_limit = -1;
-  EXPECT_EQ(code_of([&] { ExactPolyhedron::from_inequalities({}, {}, 1, options); }), Errc::invalid_argument);
+  EXPECT_EQ(code_of([&] { Polyhedron::from_inequalities({}, {}, 1, options); }), Errc::invalid_argument);
 }
 
 TEST(Polyhedron, EndsAtLimitsAndWhenCancelled) {
   const RationalRows permutations_of_7 = permutations(7);
   Options limited;
   limited.time_limit = 0.02;
-  EXPECT_EQ(code_of([&] { ExactPolyhedron::from_generators(permutations_of_7, {}, {}, 7, limited); }),
+  EXPECT_EQ(code_of([&] { Polyhedron::from_generators(permutations_of_7, {}, {}, 7, limited); }),
             Errc::time_limit);
   Options cancelled;
   double last = 0;
@@ -309,10 +309,10 @@ TEST(Polyhedron, EndsAtLimitsAndWhenCancelled) {
     last = fraction;
     return fraction < 0.02;
   };
-  EXPECT_EQ(code_of([&] { ExactPolyhedron::from_generators(permutations_of_7, {}, {}, 7, cancelled); }),
+  EXPECT_EQ(code_of([&] { Polyhedron::from_generators(permutations_of_7, {}, {}, 7, cancelled); }),
             Errc::cancelled);
   const ProgressScope scope([](double) { return false; });
-  EXPECT_EQ(code_of([&] { ExactPolyhedron::from_generators(permutations_of_7, {}, {}, 7); }),
+  EXPECT_EQ(code_of([&] { Polyhedron::from_generators(permutations_of_7, {}, {}, 7); }),
             Errc::cancelled);
 }
 

@@ -45,7 +45,7 @@ void expect_as_called_back(const Delaunay<>& t, const std::vector<double>& queri
     std::sort(faces[i].begin(), faces[i].end());
   });
   for (const unsigned threads : {1u, 3u}) {
-    locator.locate(queries, {.tolerance = tolerance, .threads = threads}, numbers, found.spans());
+    locator.locate(queries, {.tolerance = tolerance}, numbers, found.spans(), {.threads = threads});
     EXPECT_EQ(found.kinds, expected.kinds);
     EXPECT_EQ(found.cells, expected.cells);
     EXPECT_EQ(found.distances, expected.distances);
@@ -54,7 +54,7 @@ void expect_as_called_back(const Delaunay<>& t, const std::vector<double>& queri
       EXPECT_TRUE(a == b || (std::isnan(a) && std::isnan(b))) << i;
     }
     const LocatedPoints points =
-        locator.locate(queries, {.tolerance = tolerance, .threads = threads}, numbers);
+        locator.locate(queries, {.tolerance = tolerance}, numbers, {.threads = threads});
     EXPECT_EQ(points.kinds, expected.kinds);
     EXPECT_EQ(points.cells, expected.cells);
     ASSERT_EQ(points.face_offsets.size(), count + 1);

@@ -160,7 +160,7 @@ TEST(NaturalNeighborInterpolator, CanBeStopped) {
   std::vector<double> many;
   for (int i = 0; i < 600; ++i) many.push_back(0.5);
   std::vector<double> found(300);
-  EXPECT_THROW(function.evaluate(many, found, {.progress = [](std::size_t) { return false; }}), Error);
+  EXPECT_THROW(function.evaluate(many, found, {}, {.progress = [](double) { return false; }}), Error);
 }
 
 TEST(NaturalNeighborCoordinates, OfFewPoints) {

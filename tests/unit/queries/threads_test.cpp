@@ -96,15 +96,14 @@ TEST(QueryThreads, LocationsDoNotDependOnThem) {
       if (tolerance > 0 && input.name != "lattice" && input.name != "random 2") continue;
       expect_one_result(input.name, [&](unsigned threads) {
         std::vector<Bits> answers(size_of(input));
-        locator.locate(input.queries, {.tolerance = tolerance, .threads = threads},
-                       [&](std::size_t query, const LocatedPoint& where) {
-                         Bits& answer = answers[query];
-                         EXPECT_TRUE(answer.empty());
-                         answer = {static_cast<std::uint64_t>(where.kind), index(where.cell),
-                                   std::bit_cast<std::uint64_t>(where.distance)};
-                         for (const double w : where.barycentric)
-                           answer.push_back(std::bit_cast<std::uint64_t>(w));
-                       });
+        const auto note = [&](std::size_t query, const LocatedPoint& where) {
+          Bits& answer = answers[query];
+          EXPECT_TRUE(answer.empty());
+          answer = {static_cast<std::uint64_t>(where.kind), index(where.cell),
+                    std::bit_cast<std::uint64_t>(where.distance)};
+          for (const double w : where.barycentric) answer.push_back(std::bit_cast<std::uint64_t>(w));
+        };
+        locator.locate(input.queries, {.tolerance = tolerance}, note, {.threads = threads});
         Bits all;
         for (const Bits& answer : answers) {
           EXPECT_FALSE(answer.empty());
@@ -122,15 +121,15 @@ TEST(QueryThreads, NearestVerticesDoNotDependOnThem) {
     const PointLocator locator(t);
     expect_one_result(input.name, [&](unsigned threads) {
       Bits all(4 * size_of(input), 0);
-      locator.nearest(
-          input.queries, [&](std::size_t query, VertexId v) { all[4 * query] = index(v); }, threads);
+      locator.nearest(input.queries, [&](std::size_t query, VertexId v) { all[4 * query] = index(v); },
+                      {.threads = threads});
       if (input.name == "extreme") return all;
-      locator.nearest(
-          input.queries, 3,
-          [&](std::size_t query, std::span<const VertexId> found) {
-            for (std::size_t i = 0; i < found.size(); ++i) all[4 * query + 1 + i] = index(found[i]);
-          },
-          threads);
+      locator.nearest(input.queries, 3,
+                      [&](std::size_t query, std::span<const VertexId> found) {
+                        for (std::size_t i = 0; i < found.size(); ++i)
+                          all[4 * query + 1 + i] = index(found[i]);
+                      },
+                      {.threads = threads});
       return all;
     });
   }
@@ -146,9 +145,10 @@ TEST(QueryThreads, InterpolatedValuesDoNotDependOnThem) {
       if (outside == Outside::nearest && d == 5) continue;
       expect_one_result(input.name, [&](unsigned threads) {
         std::vector<double> values(2 * size_of(input)), gradients(2 * input.queries.size());
-        const EvaluateOptions options{.outside = outside, .threads = threads};
-        f.evaluate(input.queries, values, options);
-        f.gradients(input.queries, gradients, options);
+        const EvaluateOptions options{.outside = outside};
+        const Execution how{.threads = threads};
+        f.evaluate(input.queries, values, options, how);
+        f.gradients(input.queries, gradients, options, how);
         values.insert(values.end(), gradients.begin(), gradients.end());
         return bits_of(values);
       });
@@ -166,8 +166,8 @@ TEST(QueryThreads, NaturalNeighborsDoNotDependOnThem) {
     const NaturalNeighborInterpolator f(t, random_rows(input.points.size() / d, 3), 1, d == 2);
     expect_one_result(input.name, [&](unsigned threads) {
       std::vector<double> values(queries.size() / d), gradients(queries.size());
-      f.evaluate(queries, values, {.outside = Outside::nearest, .threads = threads});
-      f.gradients(queries, gradients, {.threads = threads});
+      f.evaluate(queries, values, {.outside = Outside::nearest}, {.threads = threads});
+      f.gradients(queries, gradients, {}, {.threads = threads});
       values.insert(values.end(), gradients.begin(), gradients.end());
       return bits_of(values);
     });
@@ -180,13 +180,12 @@ TEST(QueryThreads, CellsWithinARadiusDoNotDependOnThem) {
   const PointLocator locator(t);
   expect_one_result(input.name, [&](unsigned threads) {
     std::vector<Bits> cells(size_of(input));
-    locator.cells_within(
-        input.queries, 0.02,
-        [&](std::size_t query, CellId cell) {
-          cells[query].push_back(index(cell));
-          return true;
-        },
-        threads);
+    locator.cells_within(input.queries, 0.02,
+                         [&](std::size_t query, CellId cell) {
+                           cells[query].push_back(index(cell));
+                           return true;
+                         },
+                         {.threads = threads});
     Bits all;
     for (const Bits& one : cells) {
       all.push_back(one.size());
@@ -201,20 +200,20 @@ TEST(QueryThreads, ErrorsNameTheSameQuery) {
   const Delaunay<> t(input.points, input.dimension);
   const LinearInterpolator f(t, random_rows(input.points.size() / 3, 3));
   std::vector<double> values(size_of(input));
-  const auto failed = [&](const EvaluateOptions& options) {
+  const auto failed = [&](Outside outside, unsigned threads) {
     try {
-      f.evaluate(input.queries, values, options);
+      f.evaluate(input.queries, values, {.outside = outside}, {.threads = threads});
     } catch (const Error& error) {
       return std::string(error.what());
     }
     return std::string("none");
   };
-  const std::string expected = failed({.outside = Outside::error});
+  const std::string expected = failed(Outside::error, 1);
   EXPECT_NE(expected, "none");
-  for (const unsigned threads : numbers_of_threads())
-    EXPECT_EQ(failed({.outside = Outside::error, .threads = threads}), expected);
+  for (const unsigned threads : numbers_of_threads()) EXPECT_EQ(failed(Outside::error, threads), expected);
   input.queries[3 * 5] = std::nan("");
-  EXPECT_NE(failed({.threads = 3}).find("query 5"), std::string::npos) << failed({.threads = 3});
+  const std::string message = failed(Outside::fill, 3);
+  EXPECT_NE(message.find("query 5"), std::string::npos) << message;
 }
 
 TEST(QueryThreads, ProgressComesFromTheCallingThreadAndCancels) {
@@ -224,21 +223,20 @@ TEST(QueryThreads, ProgressComesFromTheCallingThreadAndCancels) {
   std::vector<double> values(size_of(input));
   const std::thread::id caller = std::this_thread::get_id();
   for (const unsigned threads : {1u, 2u, 8u}) {
-    std::size_t calls = 0, last = 0;
-    f.evaluate(input.queries, values,
-               {.progress =
-                    [&](std::size_t done) {
-                      EXPECT_EQ(std::this_thread::get_id(), caller);
-                      EXPECT_GE(done, last);
-                      EXPECT_LE(done, size_of(input));
-                      last = done;
-                      ++calls;
-                      return true;
-                    },
-                .threads = threads});
+    std::size_t calls = 0;
+    double last = 0;
+    f.evaluate(input.queries, values, {.outside = Outside::nearest},
+               {.threads = threads, .progress = [&](double done) {
+                  EXPECT_EQ(std::this_thread::get_id(), caller);
+                  EXPECT_GE(done, last);
+                  EXPECT_LE(done, 1);
+                  last = done;
+                  ++calls;
+                  return true;
+                }});
     EXPECT_GE(calls, 1u);
     try {
-      f.evaluate(input.queries, values, {.progress = [](std::size_t) { return false; }, .threads = threads});
+      f.evaluate(input.queries, values, {}, {.threads = threads, .progress = [](double) { return false; }});
       FAIL();
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), Errc::cancelled);
@@ -255,7 +253,7 @@ TEST(QueryThreads, SeveralBatchesAtOnce) {
   std::vector<std::vector<double>> results(3, std::vector<double>(size_of(input)));
   std::vector<std::thread> callers;
   for (auto& result : results)
-    callers.emplace_back([&] { f.evaluate(input.queries, result, {.threads = 4}); });
+    callers.emplace_back([&] { f.evaluate(input.queries, result, {}, {.threads = 4}); });
   for (std::thread& caller : callers) caller.join();
   for (const auto& result : results) EXPECT_EQ(bits_of(result), bits_of(expected));
 }

@@ -28,12 +28,12 @@ std::vector<T> copy(std::span<const T> items) {
 }
 
 template <class Diagram, class Triangulation>
-void expect_one_diagram(const Triangulation& triangulation, DiagramOptions options = {}) {
+void expect_one_diagram(const Triangulation& triangulation, const DiagramOptions& options = {}) {
   const Diagram expected(triangulation, options);
   const Box box = expected.bounding_box(0);
   for (const unsigned threads : {2u, 3u, 8u}) {
-    options.threads = threads;
-    const Diagram diagram(triangulation, options);
+    const Execution how{.threads = threads};
+    const Diagram diagram(triangulation, options, how);
     EXPECT_EQ(copy(diagram.vertices()), copy(expected.vertices()));
     EXPECT_EQ(copy(diagram.ridge_points()), copy(expected.ridge_points()));
     EXPECT_EQ(copy(diagram.ridge_vertices()), copy(expected.ridge_vertices()));
@@ -42,10 +42,10 @@ void expect_one_diagram(const Triangulation& triangulation, DiagramOptions optio
     EXPECT_EQ(copy(diagram.region_offsets()), copy(expected.region_offsets()));
     EXPECT_EQ(copy(diagram.ray_directions()), copy(expected.ray_directions()));
     if (options.parts == DiagramParts::regions) continue;
-    EXPECT_EQ(expected.ridge_volumes(threads), expected.ridge_volumes());
-    EXPECT_EQ(expected.region_volumes(threads), expected.region_volumes());
+    EXPECT_EQ(expected.ridge_volumes(how), expected.ridge_volumes());
+    EXPECT_EQ(expected.region_volumes(how), expected.region_volumes());
     if (diagram.dimension() <= 3) {
-      EXPECT_EQ(expected.region_volumes(box, threads), expected.region_volumes(box));
+      EXPECT_EQ(expected.region_volumes(box, how), expected.region_volumes(box));
     }
   }
 }

@@ -15,7 +15,7 @@ namespace {
 class PolyhedronFiles : public delone_test::TemporaryDirectory {
  protected:
   PolyhedronRows rows_of(const std::string& text) const { return read_polyhedron(file("in", text)); }
-  ExactPolyhedron read(const std::string& text) const { return to_polyhedron(rows_of(text)); }
+  Polyhedron read(const std::string& text) const { return to_polyhedron(rows_of(text)); }
   /// What the error says after the path.
   std::string error_of(const std::string& text) const {
     const std::string path = file("in", text);
@@ -43,7 +43,7 @@ TEST_F(PolyhedronFiles, Inequalities) {
 }
 
 TEST_F(PolyhedronFiles, WhatMeansTheSame) {
-  const ExactPolyhedron expected = read(square);
+  const Polyhedron expected = read(square);
   EXPECT_EQ(read("name\n* a comment\nbegin\n4 3 real\n0 1 0\n0 0 1\n.5 -1 0\n1.0 0 -10e-1\nend\nvolume\n"),
             expected);
   EXPECT_EQ(
@@ -86,10 +86,10 @@ TEST_F(PolyhedronFiles, ErrorsNameTheLine) {
 
 TEST_F(PolyhedronFiles, AreReadBack) {
   const std::string huge = "1234567890123456789012345678901234567890/77";
-  for (const ExactPolyhedron& polyhedron :
-       {read(square), ExactPolyhedron::empty(3), ExactPolyhedron::space(2), ExactPolyhedron(),
-        ExactPolyhedron::space(0), ExactPolyhedron::from_generators({{1, Rational(huge)}}, {{1, 2}}, {}, 2),
-        ExactPolyhedron::from_inequalities({{1, 1, 0, Rational("1/3")}}, {{0, 0, 1, 5}}, 3)}) {
+  for (const Polyhedron& polyhedron :
+       {read(square), Polyhedron::empty(3), Polyhedron::space(2), Polyhedron(),
+        Polyhedron::space(0), Polyhedron::from_generators({{1, Rational(huge)}}, {{1, 2}}, {}, 2),
+        Polyhedron::from_inequalities({{1, 1, 0, Rational("1/3")}}, {{0, 0, 1, 5}}, 3)}) {
     write_polyhedron(path("out.ine"), polyhedron);
     EXPECT_EQ(to_polyhedron(read_polyhedron(path("out.ine"))), polyhedron);
     write_polyhedron(path("out.ext"), polyhedron);

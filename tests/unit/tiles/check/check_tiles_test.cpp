@@ -32,7 +32,7 @@ class CheckTiles : public TemporaryDirectory {
   CheckReport checked(bool canonical = false, std::uint64_t memory = little) const {
     CheckOptions options;
     options.canonical = canonical;
-    return tiles::check_tiles(folder_, options, memory);
+    return tiles::check_tiles(folder_, options, 1, memory);
   }
   void expect_sound(const ComplexData& data, std::size_t tiles) {
     write_folder(folder_, data, tiles);
@@ -58,7 +58,7 @@ class CheckTiles : public TemporaryDirectory {
     CheckOptions below;
     below.up_to = level - 1;
     if (level > 1) {
-      EXPECT_TRUE(tiles::check_tiles(folder_, below, memory).ok);
+      EXPECT_TRUE(tiles::check_tiles(folder_, below, 1, memory).ok);
     }
   }
   void change_part(std::size_t i, const std::function<void(TileData&)>& change) {

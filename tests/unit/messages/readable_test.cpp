@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <delone/readable.hpp>
+#include "messages/readable.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-namespace delone::internal {
+namespace delone::messages {
 namespace {
 
 TEST(Readable, Bytes) {
@@ -37,4 +37,4 @@ TEST(Readable, Seconds) {
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone::messages

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rough quantities for messages.
-#include <delone/readable.hpp>
+#include "messages/readable.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <utility>
 
-namespace delone {
+namespace delone::messages {
 namespace {
 
 /// Below ten with one digit after the point, if it is not 0.
@@ -49,4 +49,4 @@ std::string readable_seconds(double seconds) {
   return text + " " + unit->second + (text == "1" ? "" : "s");
 }
 
-}  // namespace delone
+}  // namespace delone::messages
