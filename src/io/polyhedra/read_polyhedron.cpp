@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/file.hpp"
 #include "io/text_cursor.hpp"
+#include "messages/in_quotes.hpp"
 
 #include <delone/polyhedron_io.hpp>
 
@@ -62,7 +63,8 @@ class RepresentationReader {
     const bool is_open = !size.empty() && size.find_first_not_of('*') == std::string_view::npos;
     const auto given = io::to_count(size);
     if (!is_open && !given)
-      io::fail(Errc::bad_format, "{}: expected the number of rows, found {}", at_.place(), in_quotes(size));
+      io::fail(Errc::bad_format, "{}: expected the number of rows, found {}", at_.place(),
+               messages::in_quotes(size));
     at_.skip_blanks();
     width_ = static_cast<std::size_t>(at_.count("the number of columns", std::numeric_limits<int>::max()));
     if (width_ == 0) io::fail(Errc::bad_format, "{}: the number of columns is 0", at_.place());
@@ -70,7 +72,7 @@ class RepresentationReader {
     const std::string_view type = at_.token();
     if (type != "integer" && type != "rational" && type != "real")
       io::fail(Errc::bad_format, "{}: expected integer, rational or real, found {}", at_.place(),
-               in_quotes(type));
+               messages::in_quotes(type));
     std::vector<Rational> row;
     while (at_.find_content()) {
       const std::string_view token = at_.token();
@@ -83,7 +85,7 @@ class RepresentationReader {
       }
       if (given && rows_.size() == *given)
         io::fail(Errc::bad_format, "{}: expected end after {} rows of {} numbers, found {}", at_.place(),
-                 size, width_, in_quotes(token));
+                 size, width_, messages::in_quotes(token));
       row.push_back(number(token));
       if (row.size() < width_) continue;
       lines_.push_back(at_.line());
