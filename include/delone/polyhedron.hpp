@@ -74,13 +74,12 @@ class DELONE_EXPORT Polyhedron {
   /// {x : a·x ≤ b for each row (a, b) of `inequalities`, a·x = b for each row of `equations`}. Rows may be
   /// redundant, duplicate, or contradict each other. Throws Errc::bad_dimension unless rows have d+1 entries.
   static Polyhedron from_inequalities(const RationalRows& inequalities, const RationalRows& equations,
-                                           int dimension, const Options& options = {});
+                                      int dimension, const Options& options = {});
   /// The convex hull of the vertices, plus all sums of nonnegative multiples of the rays and of any multiples
   /// of the lines. Any of them may be redundant or duplicate. Without vertices, and with rays or lines, the
   /// origin is a vertex: a cone. Throws Errc::bad_dimension unless rows have d entries.
   static Polyhedron from_generators(const RationalRows& vertices, const RationalRows& rays,
-                                         const RationalRows& lines, int dimension,
-                                         const Options& options = {});
+                                    const RationalRows& lines, int dimension, const Options& options = {});
   /// The empty set, and the whole space. Throw Errc::bad_dimension for a negative dimension.
   static Polyhedron empty(int dimension);
   static Polyhedron space(int dimension);
@@ -152,11 +151,11 @@ class DELONE_EXPORT Polyhedron {
   /// {M·x + t}: `matrix` has d columns, and `translation` is empty or has as many entries as M has rows. A
   /// matrix without rows gives a polyhedron of R^0.
   Polyhedron image(const RationalRows& matrix, std::span<const Rational> translation = {},
-                        const Options& options = {}) const;
+                   const Options& options = {}) const;
   /// {y : M·y + t is in this one}: `matrix` has d rows of e entries, `translation` none or d. `dimension`: e,
   /// which the matrix does not tell for d = 0.
-  Polyhedron preimage(const RationalRows& matrix, int dimension,
-                           std::span<const Rational> translation = {}, const Options& options = {}) const;
+  Polyhedron preimage(const RationalRows& matrix, int dimension, std::span<const Rational> translation = {},
+                      const Options& options = {}) const;
 
   /// Depends on the set alone.
   CanonicalHash hash() const;

@@ -135,9 +135,8 @@ Polyhedron Polyhedron::of(Description description, std::vector<RowKind> kinds) {
   });
 }
 
-Polyhedron Polyhedron::from_inequalities(const RationalRows& inequalities,
-                                                   const RationalRows& equations, int dimension,
-                                                   const Options& options) {
+Polyhedron Polyhedron::from_inequalities(const RationalRows& inequalities, const RationalRows& equations,
+                                         int dimension, const Options& options) {
   const std::size_t d = checked(dimension);
   require_width(inequalities, d + 1, "inequalities");
   require_width(equations, d + 1, "equations");
@@ -150,8 +149,7 @@ Polyhedron Polyhedron::from_inequalities(const RationalRows& inequalities,
 }
 
 Polyhedron Polyhedron::from_generators(const RationalRows& vertices, const RationalRows& rays,
-                                                 const RationalRows& lines, int dimension,
-                                                 const Options& options) {
+                                       const RationalRows& lines, int dimension, const Options& options) {
   const std::size_t d = checked(dimension);
   require_width(vertices, d, "vertices");
   require_width(rays, d, "rays");

@@ -260,7 +260,7 @@ Polyhedron Polyhedron::projection(std::span<const int> axes, const Options& opti
 }
 
 Polyhedron Polyhedron::image(const RationalRows& matrix, std::span<const Rational> translation,
-                                       const Options& options) const {
+                             const Options& options) const {
   const Description& own = impl_->description;
   return within_limits(options, [&] {
     const AffineMap map(matrix, translation, matrix.size(), own.dimension);
@@ -272,8 +272,7 @@ Polyhedron Polyhedron::image(const RationalRows& matrix, std::span<const Rationa
 }
 
 Polyhedron Polyhedron::preimage(const RationalRows& matrix, int dimension,
-                                          std::span<const Rational> translation,
-                                          const Options& options) const {
+                                std::span<const Rational> translation, const Options& options) const {
   const Description& own = impl_->description;
   if (dimension < 0) throw Error(Errc::bad_dimension, "the dimension must be at least 0");
   if (dimension > 0) internal::require_dimension(dimension);

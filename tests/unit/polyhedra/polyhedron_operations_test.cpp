@@ -21,12 +21,11 @@ Polyhedron random_polyhedron(random::Generator& generator, int dimension) {
   const auto d = static_cast<std::size_t>(dimension);
   if (generator.coin())
     return Polyhedron::from_generators(random_rationals(generator, generator.below(6), d, 2),
-                                            random_rationals(generator, generator.below(3), d, 2),
-                                            random_rationals(generator, generator.below(5) / 4, d, 2),
-                                            dimension);
+                                       random_rationals(generator, generator.below(3), d, 2),
+                                       random_rationals(generator, generator.below(5) / 4, d, 2), dimension);
   return Polyhedron::from_inequalities(random_rationals(generator, generator.below(8), d + 1, 3),
-                                            random_rationals(generator, generator.below(5) / 4, d + 1, 3),
-                                            dimension);
+                                       random_rationals(generator, generator.below(5) / 4, d + 1, 3),
+                                       dimension);
 }
 
 Point random_point(random::Generator& generator, std::size_t d) {
@@ -76,7 +75,7 @@ TEST(PolyhedronOperations, IntersectionsAndInclusion) {
   for (std::size_t round = 0; round < rounds; ++round) {
     const int d = 1 + static_cast<int>(generator.below(3));
     const Polyhedron a = random_polyhedron(generator, d), b = random_polyhedron(generator, d),
-                          both = a.intersection(b);
+                     both = a.intersection(b);
     EXPECT_EQ(both, b.intersection(a));
     EXPECT_TRUE(a.includes(both) && b.includes(both));
     EXPECT_EQ(a.includes(b), both == b);
@@ -125,12 +124,11 @@ TEST(PolyhedronOperations, Products) {
   for (std::size_t round = 0; round < rounds; ++round) {
     const int d = static_cast<int>(generator.below(3)), e = static_cast<int>(generator.below(3));
     const Polyhedron a = random_polyhedron(generator, d), b = random_polyhedron(generator, e),
-                          both = a.product(b);
+                     both = a.product(b);
     // The same, by the way over all inequalities.
     EXPECT_EQ(both, Polyhedron::from_inequalities(both.inequalities(), both.equations(), d + e));
-    EXPECT_EQ(
-        both.inequalities(),
-        Polyhedron::from_generators(both.vertices(), both.rays(), both.lines(), d + e).inequalities());
+    EXPECT_EQ(both.inequalities(),
+              Polyhedron::from_generators(both.vertices(), both.rays(), both.lines(), d + e).inequalities());
     std::vector<int> first, second;
     for (int i = 0; i < d; ++i) first.push_back(i);
     for (int i = d; i < d + e; ++i) second.push_back(i);
@@ -152,8 +150,7 @@ TEST(PolyhedronOperations, Polars) {
     const Polyhedron a = random_polyhedron(generator, d), polar = a.polar();
     // Twice is the closed hull with the origin, and three times the same as once.
     const Polyhedron origin =
-        Polyhedron::from_generators({std::initializer_list<Rational>{}}, {}, {}, 0)
-            .image(RationalRows(), {});
+        Polyhedron::from_generators({std::initializer_list<Rational>{}}, {}, {}, 0).image(RationalRows(), {});
     EXPECT_EQ(origin, Polyhedron::space(0));
     RationalRows zero;
     zero.push_back(Point(static_cast<std::size_t>(d)));
@@ -240,8 +237,7 @@ TEST(PolyhedronOperations, OptimaAreFaces) {
       for (Rational& x : equation) x = as_rational(-as_fraction(x));
       RationalRows far;
       far.push_back(equation);
-      EXPECT_FALSE(
-          a.intersection(Polyhedron::from_inequalities(far, {}, static_cast<int>(d))).is_empty());
+      EXPECT_FALSE(a.intersection(Polyhedron::from_inequalities(far, {}, static_cast<int>(d))).is_empty());
     } else {
       EXPECT_TRUE(a.is_empty());
     }
@@ -296,8 +292,7 @@ TEST(PolyhedronOperations, VolumesAddUp) {
     one.push_back(row);
     other.push_back(opposite);
     const Polyhedron left = whole.intersection(Polyhedron::from_inequalities(one, {}, dimension)),
-                          right =
-                              whole.intersection(Polyhedron::from_inequalities(other, {}, dimension));
+                     right = whole.intersection(Polyhedron::from_inequalities(other, {}, dimension));
     if (std::all_of(row.begin(), row.end() - 1, [](const Rational& x) { return x == Rational(); })) continue;
     EXPECT_EQ(as_fraction(*left.volume()) + as_fraction(*right.volume()), as_fraction(*whole.volume()));
     // A matrix multiplies it by its determinant: here that of a shear with a stretch.

@@ -127,15 +127,14 @@ TEST(Polyhedron, AgreesWithAllSetsOfRows) {
     const std::size_t d = generator.below(5);
     const RationalRows inequalities = random_rationals(generator, generator.below(10), d + 1, 3),
                        equations = random_rationals(generator, generator.below(4) / 3, d + 1, 3);
-    const Polyhedron p =
-        Polyhedron::from_inequalities(inequalities, equations, static_cast<int>(d));
+    const Polyhedron p = Polyhedron::from_inequalities(inequalities, equations, static_cast<int>(d));
     const Generators expected = find_generators(inequalities, equations, d);
     ASSERT_EQ(p.num_vertices(), expected.vertices.size());
     if (p.num_vertices() > 0) {
       ASSERT_EQ(p.num_rays(), expected.rays.size());
       ASSERT_EQ(p.num_lines(), expected.lines.size());
       EXPECT_EQ(p, Polyhedron::from_generators(expected.vertices, expected.rays, expected.lines,
-                                                    static_cast<int>(d)));
+                                               static_cast<int>(d)));
     }
     expect_consistent(p);
     if (!p.is_empty()) {
@@ -167,8 +166,8 @@ TEST(Polyhedron, OfGenerators) {
     std::vector<std::size_t> of_vertices, of_rays;
     for (const std::size_t row : redundant)
       row < vertices.size() ? of_vertices.push_back(row) : of_rays.push_back(row - vertices.size());
-    EXPECT_EQ(p, Polyhedron::from_generators(without(vertices, of_vertices), without(rays, of_rays),
-                                                  lines, dimension));
+    EXPECT_EQ(p, Polyhedron::from_generators(without(vertices, of_vertices), without(rays, of_rays), lines,
+                                             dimension));
   }
 }
 
@@ -312,8 +311,7 @@ TEST(Polyhedron, EndsAtLimitsAndWhenCancelled) {
   EXPECT_EQ(code_of([&] { Polyhedron::from_generators(permutations_of_7, {}, {}, 7, cancelled); }),
             Errc::cancelled);
   const ProgressScope scope([](double) { return false; });
-  EXPECT_EQ(code_of([&] { Polyhedron::from_generators(permutations_of_7, {}, {}, 7); }),
-            Errc::cancelled);
+  EXPECT_EQ(code_of([&] { Polyhedron::from_generators(permutations_of_7, {}, {}, 7); }), Errc::cancelled);
 }
 
 }  // namespace

@@ -87,8 +87,8 @@ TEST_F(PolyhedronFiles, ErrorsNameTheLine) {
 TEST_F(PolyhedronFiles, AreReadBack) {
   const std::string huge = "1234567890123456789012345678901234567890/77";
   for (const Polyhedron& polyhedron :
-       {read(square), Polyhedron::empty(3), Polyhedron::space(2), Polyhedron(),
-        Polyhedron::space(0), Polyhedron::from_generators({{1, Rational(huge)}}, {{1, 2}}, {}, 2),
+       {read(square), Polyhedron::empty(3), Polyhedron::space(2), Polyhedron(), Polyhedron::space(0),
+        Polyhedron::from_generators({{1, Rational(huge)}}, {{1, 2}}, {}, 2),
         Polyhedron::from_inequalities({{1, 1, 0, Rational("1/3")}}, {{0, 0, 1, 5}}, 3)}) {
     write_polyhedron(path("out.ine"), polyhedron);
     EXPECT_EQ(to_polyhedron(read_polyhedron(path("out.ine"))), polyhedron);
