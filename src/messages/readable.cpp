@@ -4,25 +4,23 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
+#include <string>
 #include <utility>
 
 namespace delone::messages {
 namespace {
 
-/// Below ten with one digit after the point, if it is not 0.
+/// Below ten with one digit after the point, if it is not 0. The same in every locale.
 std::string rounded(double x) {
-  char text[64];
-  if (x < 0.095)
-    std::snprintf(text, sizeof text, "%.1g", x);
-  else if (x < 0.95)
-    std::snprintf(text, sizeof text, "%.2g", x);
-  else if (x < 9.95 && std::round(10 * x) != 10 * std::round(x))
-    std::snprintf(text, sizeof text, "%.1f", x);
-  else
-    std::snprintf(text, sizeof text, "%.0f", x);
-  return text;
+  const auto written = [x](std::chars_format form, int digits) {
+    std::array<char, 64> text;
+    return std::string(text.data(),
+                       std::to_chars(text.data(), text.data() + text.size(), x, form, digits).ptr);
+  };
+  if (x < 0.95) return written(std::chars_format::general, x < 0.095 ? 1 : 2);
+  return written(std::chars_format::fixed, x < 9.95 && std::round(10 * x) != 10 * std::round(x) ? 1 : 0);
 }
 
 }  // namespace
