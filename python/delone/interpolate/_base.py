@@ -2,6 +2,8 @@
 """What the interpolators share: coordinates as scipy takes them, the triangulation, the values, and where queries lie."""
 from __future__ import annotations
 
+import sys
+
 import numpy as np
 
 import delone
@@ -10,7 +12,7 @@ from delone.spatial import _tolerance
 from delone.spatial._base import refuse_state_of_scipy
 
 # scipy's tolerance in barycentric coordinates.
-TOLERANCE = 100 * np.finfo(float).eps
+TOLERANCE = 100 * sys.float_info.epsilon
 
 
 class GradientEstimationWarning(Warning):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 import warnings
 from functools import cached_property
 
@@ -16,11 +17,11 @@ from ._base import OfPoints, as_points, qhull_error
 
 
 # A transform is left out (NaN) if fewer than about three of its digits would mean anything; the rule of scipy.
-SMALLEST_RECIPROCAL_CONDITION = 1000 * np.finfo(float).eps
+SMALLEST_RECIPROCAL_CONDITION = 1000 * sys.float_info.epsilon
 
 
 # How far beyond a facet, in barycentric coordinates, a point still counts as inside; that of scipy.
-DEFAULT_TOLERANCE = 100 * np.finfo(float).eps
+DEFAULT_TOLERANCE = 100 * sys.float_info.epsilon
 
 
 # Queries from which on those outside of the bounding box are sorted out first: of few, one walk is as fast.
@@ -350,7 +351,9 @@ class Delaunay(OfPoints):
             if unsure.any():
                 queries = np.asarray(queries, dtype=np.float64)
                 if len(queries) < MANY_QUERIES:
-                    unsure[unsure] = self._in_box(queries[unsure], tol)
+                    unsure &= self._in_box(queries, tol)
+                    if not unsure.any():
+                        return found
                 found[unsure] = self._find_accepting(queries[unsure], found[unsure], tol)
         return found
 
@@ -376,7 +379,14 @@ class Delaunay(OfPoints):
         return [a - reach for a in lower], [b + reach for b in upper]
 
     def _in_box(self, queries: np.ndarray, tol: float) -> np.ndarray:
-        return np.logical_and.reduce([(x >= a) & (x <= b) for x, a, b in zip(queries.T, *self._box_of(tol))])
+        lower, upper = self._box_of(tol)
+        if len(queries) < MANY_QUERIES:
+            return ((queries >= lower) & (queries <= upper)).all(axis=1)
+        inside = np.ones(len(queries), bool)
+        for x, a, b in zip(queries.T, lower, upper):
+            inside &= x >= a
+            inside &= x <= b
+        return inside
 
     @cached_property
     def _search(self) -> _Search:

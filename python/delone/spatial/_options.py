@@ -9,8 +9,7 @@ from __future__ import annotations
 
 import functools
 import re
-from dataclasses import dataclass
-from typing import Optional
+from typing import NamedTuple, Optional
 
 from delone import _core
 
@@ -61,8 +60,7 @@ _TOLERANCE = rf"(C-|[CEW])({_NUMBER})"
 _NOT_INCREMENTAL = ("Qbb", "QbB", "Qz")
 
 
-@dataclass(frozen=True)
-class Options:
+class Options(NamedTuple):
     """What the options of a constructor ask for."""
 
     scaled: bool = False  # Qbb: the last coordinate of the paraboloid is scaled to [0, largest |coordinate|]
