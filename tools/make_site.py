@@ -61,6 +61,15 @@ def rewritten(path, pages, text=None):
     return "".join(part if part.startswith("```") else IMAGE.sub(moved, check_docs.LINK.sub(moved, part)) for part in parts)
 
 
+def front_page(path, pages):
+    """The text of docs/site/index.md, with the table of README.md of what one may want to do."""
+    readme = ROOT / "README.md"
+    table = readme.read_text(encoding="utf-8").partition("## What do you want to do?\n\n")[2].partition("\n\n## ")[0]
+    text, mark = rewritten(path, pages), "<!-- the table of README.md -->"
+    assert table and mark in text
+    return text.replace(mark, rewritten(readme, pages, table))
+
+
 def folder_page(title, text, entries):
     return f"# {title}\n\n{text}\n\n```{{toctree}}\n:maxdepth: 2\n\n" + "\n".join(entries) + "\n```\n"
 
@@ -70,7 +79,7 @@ def gather(stage):
     documents = [*check_docs.documents(), ROOT / "SECURITY.md"]
     pages = dict.fromkeys(documents)
     for path in documents:
-        pages[path] = rewritten(path, pages)
+        pages[path] = front_page(path, pages) if place(path) == "index.md" else rewritten(path, pages)
     for path, text in pages.items():
         target = stage / place(path)
         target.parent.mkdir(parents=True, exist_ok=True)
