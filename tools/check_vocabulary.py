@@ -30,7 +30,7 @@ RETIRED = [
      ["cli/*", "python/**/*.py*", "python/src/*", "tests/**/*", "docs/*.md", "README.md", "tools/*.sh"], [], "as_given"),
     (r"\badd_points\b|\badd_halfspaces\b",
      ["include/**/*", "src/**/*", "python/**/*", "tests/**/*", "examples/*", "docs/*.md", "README.md"],
-     ["python/delone/spatial/*", "tests/python/*spatial*", "tests/python/test_interruptible.py", "tests/python/test_pickle.py",
+     ["python/delone/_missing.py", "python/delone/spatial/*", "tests/python/*spatial*", "tests/python/test_interruptible.py", "tests/python/test_pickle.py",
       "docs/from-scipy.md"], "insert_range"),
     (r"\bVoronoiDiagram\b|\bVoronoiParts\b", CPP, [], "Voronoi<D>, Diagram or DiagramParts"),
     (r"\boutside ?= ?[\"']raise[\"']", ["python/**/*.py*", "python/src/*", "docs/*.md"], ["docs/vocabulary.md"],

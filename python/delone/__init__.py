@@ -20,6 +20,7 @@ from ._data import ComplexData, Data, HullData, IntersectionData, VoronoiData
 from ._files import CheckReport, check, generate, lower_hull, read, write_points
 from ._locations import Locations
 from ._methods import attach as _attach
+from ._missing import attach as _attach_missing
 from ._patch import patch_scipy, scipy_is_patched, unpatch_scipy
 
 __all__ = ["AlphaComplex", "CancelledError", "Changes", "CheckReport", "ComplexData", "ConvexHull", "ConvexHulls", "Data", "Delaunay", "Error", "Faces",
@@ -33,6 +34,7 @@ for _name in __all__:
         globals()[_name].__module__ = "delone"
 del _name
 _attach()
+_attach_missing()
 
 
 def __getattr__(name):

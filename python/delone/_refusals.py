@@ -10,6 +10,10 @@ from . import _core
 
 _LARGE = {"seed", "n", "num_points"}  # integers of 64 bits
 
+_HALFSPACES = "A x <= b is one array of halfspaces, numpy.c_[A, -b]"
+# What callers of other programs pass, by function and argument.
+_HINTS = {("HalfspaceIntersection", "A"): _HALFSPACES, ("HalfspaceIntersection", "b"): _HALFSPACES}
+
 
 def explained(function: str, arguments: List[Tuple[str, str, str]], given: tuple, named: Dict[str, Any]) -> Exception:
     """`arguments`: (name, type, default) as pybind11 has them, with "*" before those that must be named."""
@@ -21,7 +25,8 @@ def explained(function: str, arguments: List[Tuple[str, str, str]], given: tuple
     for name in named:
         if name not in callers:
             close = difflib.get_close_matches(name, callers, 1)
-            more = f"did you mean {close[0]!r}?" if close else f"it has {', '.join(callers)}" if callers else "it has none"
+            hint = _HINTS.get((title, name))
+            more = hint if hint else f"did you mean {close[0]!r}?" if close else f"it has {', '.join(callers)}" if callers else "it has none"
             return TypeError(f"{title}() has no argument {_core._represented(name)}; {more}")
     if len(given) > star:
         rest = f"; {', '.join(names[star:])} only by name" if names[star:] else ""
@@ -75,6 +80,10 @@ def _refusal(title: str, name: str, kind: str, value: Any) -> Optional[Exception
         return ValueError(f"{name}: {_shown(number)} is too large") if number >= (2**64 if name in _LARGE else 2**31) else None
     if plain == "str" and not isinstance(value, (str, bytes)):
         return TypeError(f"{name}: a str{or_none} was expected, not {_shown(value)}")
+    texts = [value] if plain == "str" else value if plain in ("list[str]", "sequence[str]") and isinstance(value, (list, tuple)) else []
+    for text in texts:
+        if isinstance(text, str) and any("\ud800" <= character <= "\udfff" for character in text):
+            return ValueError(f"{name}: {_core._represented(text)} has half of a surrogate pair, which is not a character")
     if plain == "bool" and value is not None and not hasattr(type(value), "__bool__"):
         return TypeError(f"{name}: True or False was expected, not {_shown(value)}")
     return None

@@ -17,7 +17,7 @@ from delone import _core, interpolate, spatial, tiles
 STUB = ast.parse((pathlib.Path(delone.__file__).parent / "_core.pyi").read_text(encoding="utf-8"))
 STUBBED = {node.name: node for node in STUB.body if isinstance(node, ast.ClassDef)}
 COMPILED = {name: value for name, value in vars(_core).items() if inspect.isclass(value)}
-OF_THE_BINDING = {"__getstate__", "__setstate__", "__reduce__", "__repr__", "__module__", "__doc__", "__init__", "__new__", "__dict__", "__weakref__"}
+OF_THE_BINDING = {"__getstate__", "__setstate__", "__reduce__", "__repr__", "__module__", "__doc__", "__init__", "__new__", "__dict__", "__weakref__", "__getattr__"}
 
 
 def members(node):

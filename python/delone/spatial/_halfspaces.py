@@ -77,7 +77,9 @@ class HalfspaceIntersection(Incremental):
             raise ValueError("Input interior point cannot be a masked array")
         self._set(interior_point=np.ascontiguousarray(interior_point, dtype=np.float64))
         if self.interior_point.shape != (halfspaces.shape[1] - 1,):
-            raise ValueError("Feasible point must be a (ndim-1,) array")
+            is_pair = self.interior_point.shape == halfspaces.shape[:1]
+            more = "; A x <= b is one array of halfspaces, numpy.c_[A, -b], and needs a point inside" if is_pair else ""
+            raise ValueError(f"Feasible point must be a (ndim-1,) array{more}")
         self._options = _options.parse(qhull_options, kind="halfspaces", incremental=incremental)
         self._start(halfspaces, incremental, flat)
 
