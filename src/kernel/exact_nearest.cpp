@@ -182,13 +182,14 @@ ExactNearest nearest_in_hull_exactly(std::span<const double* const> points, cons
       Integer top(0), bottom(1);
       for (std::size_t i = 0; i < face.size(); ++i) {
         if (here.numerators[i] > 0) continue;
-        const Integer a = weights[i] * here.denominator;
-        const Integer b = a - here.numerators[i] * denominator;
+        Integer a = weights[i] * here.denominator;
+        Integer b = a - here.numerators[i] * denominator;
         // b = 0 where both weights are 0: the point is the minimum of a face without this one.
         if (leaving < face.size() && a * bottom >= top * b) continue;
         leaving = i;
-        top = b == 0 ? Integer(0) : a;
-        bottom = b == 0 ? Integer(1) : b;
+        if (b == 0) b = 1;  // and a is 0
+        top = std::move(a);
+        bottom = std::move(b);
       }
       if (leaving == face.size()) break;
       for (std::size_t i = 0; i < face.size(); ++i)

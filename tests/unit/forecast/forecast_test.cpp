@@ -166,7 +166,7 @@ TEST(Forecast, PatchesAreTheNearestPoints) {
 }
 
 TEST(Forecast, MoreThreadsTakeLessTime) {
-  const Forecast one = forecast(3, 10000000, "uniform", 1), two = forecast(3, 10000000, "uniform", 2);
+  const Forecast one = forecast(3, 10000000), two = forecast(3, 10000000, "uniform", {.threads = 2});
   EXPECT_EQ(one.threads, 1u);
   EXPECT_LE(two.seconds.low, one.seconds.low);
 }

@@ -90,7 +90,7 @@ TEST(LocatedArrays, OnlyWhatIsWanted) {
   std::vector<double> wrong(5);
   EXPECT_THROW(locator.locate(queries, {}, CellNumbers(t.complex()), {.barycentric = wrong}), Error);
   const std::vector<double> half{1, 1, 5};
-  EXPECT_THROW(locator.locate(half, {}, CellNumbers(t.complex()), {}), Error);
+  EXPECT_THROW(locator.locate(half, {}, CellNumbers(t.complex()), LocatedArrays{}), Error);
   EXPECT_THROW(locator.locate(half, {}, CellNumbers(t.complex())), Error);
 }
 

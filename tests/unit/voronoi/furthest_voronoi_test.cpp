@@ -99,7 +99,7 @@ TEST(FurthestVoronoi, RegionsFillABox) {
       for (std::size_t j = 0; j < box.low.size(); ++j) volume *= box.high[j] - box.low[j];
       const std::vector<double> volumes = v.region_volumes(box);
       EXPECT_NEAR(std::accumulate(volumes.begin(), volumes.end(), 0.0), volume, 1e-11 * volume) << d;
-      EXPECT_EQ(volumes, v.region_volumes(box, 3));
+      EXPECT_EQ(volumes, v.region_volumes(box, {.threads = 3}));
     }
   }
 }
