@@ -200,8 +200,8 @@ int run(int argc, char** argv) {
       {"printf '1 0 -1\\n-1 0 -1\\n0 1 -1\\n0 -1 -1\\n' > square.txt",
        "delone halfspaces square.txt -o square.json"});
   add("polyhedron", "Turn inequalities into vertices, rays and lines, or back", add_polyhedron,
-      {"printf 'begin\\n3 3 integer\\n0 1 0\\n0 0 1\\n1 -1 -1\\nend\\n' > triangle.ine",
-       "delone polyhedron triangle.ine -o triangle.ext"});
+      {"printf 'begin\\n3 3 integer\\n0 1 0\\n0 0 1\\n1 -1 -1\\nend\\n' > t.ine",
+       "delone polyhedron t.ine -o t.ext"});
   add("voronoi", "Compute the Voronoi diagram of points", add_voronoi,
       {"delone voronoi points.csv -o regions.svg", "delone voronoi points.csv --volumes areas.csv"});
   add("regular", "Triangulate weighted points", add_regular,

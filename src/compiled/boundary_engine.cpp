@@ -65,6 +65,7 @@ SimplicialHull simplicial_hull_of(const BoundaryEngine& boundary) {
     std::vector<Index> compact(cells.num_slots(), invalid_index);
     hull.slots.reserve(cells.num_cells());
     for (Index cell = 0; cell < cells.num_slots(); ++cell) {
+      internal::cancellation_point();
       if (cells.is_vacant(cell)) continue;
       compact[cell] = static_cast<Index>(hull.slots.size());
       hull.slots.push_back(cell);

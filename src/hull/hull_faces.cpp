@@ -150,7 +150,10 @@ PolytopeFaces find_faces(const SimplicialHull& hull, std::size_t num_sites,
   number_facets(hull, coplanar, faces);
   faces.is_extreme.assign(num_sites, 0);
   if (coplanar.empty()) {
-    for (const Index site : hull.cells) faces.is_extreme[site] = 1;
+    for (std::size_t c = 0; c < hull.num_cells(); ++c) {
+      internal::cancellation_point();
+      for (const Index site : hull.cell(c)) faces.is_extreme[site] = 1;
+    }
     return faces;
   }
   std::vector<Index> merged;  // cells of facets with several cells

@@ -48,7 +48,7 @@ std::size_t unknown(const delone::Triangulation& t) { return delone::Voronoi(t).
 std::size_t weightless(const delone::Delaunay<3>& t) { return delone::PowerDiagram(t).num_regions(); }
 #elif MISUSE == 12  // a diagram as such is made from nothing
 std::size_t base(const delone::Delaunay<3>& t) {
-  return delone::Diagram(t, {}, delone::DiagramOptions{}).num_regions();
+  return delone::Diagram(t, {}, delone::DiagramOptions{}, delone::Execution{}).num_regions();
 }
 #elif MISUSE == 13  // nearest sites have another dual
 std::size_t nearest(const delone::Delaunay<3>& t) { return delone::FurthestVoronoi(t).num_regions(); }

@@ -114,7 +114,7 @@ LONG = {
     "delone.ConvexHull.contains": ("hull = delone.ConvexHull(wild(11, 8))", "hull.contains(wild(300_000, 8))"),
     "delone.ConvexHull.visible_facets": (HULL, "[hull.visible_facets(each) for each in wild(1000, 9)]"),
     "delone.ConvexHull.plane_distance": ("hull = delone.ConvexHull(sphere(300, 5)); hull.equations", "hull.plane_distance(random.random((30_000, 5)))"),
-    "delone.ConvexHull.num_facets": ("hull = delone.ConvexHull(sphere(3000, 7))", "hull.num_facets",
+    "delone.ConvexHull.num_facets": ("hull = delone.ConvexHull(sphere(2000, 7))", "hull.num_facets",
                                      "__len__ num_vertices num_ridges cells neighbors facet_of_cell vertices vertex_of_point facets ridges "
                                      "equations equation_errors point_kinds points to_data __getstate__"),
     "delone.ConvexHull.to_html": ("hull = delone.ConvexHull(sphere(300_000, 3))", "hull.to_html()"),

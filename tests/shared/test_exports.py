@@ -33,6 +33,8 @@ def declared(headers):
             classes[found[1]] = set(re.findall(r"([\w~]+|operator\W+)\s*\(", body)) | {"operator="}
         for found in re.finditer(r"^DELONE_EXPORT (?!class|struct)[^;{(]*?(\w+)\(", text, re.M):
             functions.add(found[1])
+        for found in re.finditer(r"^ *DELONE_EXPORT friend [^;(]*?\b(operator\W+)\(", text, re.M):
+            functions.add(name_of(found[1]))
     return functions, classes, types
 
 
@@ -54,7 +56,7 @@ def compare(symbols, headers):
             if data[1] not in types | set(classes):
                 faults.append(f"exported, but not in a header: {symbol}")
             continue
-        parts = [part for part in name_of(symbol).split("::") if part not in ("detail", "")]
+        parts = [part for part in name_of(symbol).split("::") if part not in ("detail", "messages", "")]
         if parts[:1] == ["delone"] and len(parts) == 2 and parts[1] in functions:
             seen.add(parts[1])
         elif parts[:1] == ["delone"] and len(parts) == 3 and parts[2] in classes.get(parts[1], ()):
@@ -81,6 +83,8 @@ if __name__ == "__main__":
         table = subprocess.run(["nm", "-DC", "--defined-only", "--without-symbol-versions", library], check=True, capture_output=True, text=True).stdout
         # A: the version itself
         exported = [line.split(" ", 2)[2] for line in table.splitlines() if line.split(" ", 2)[1] != "A"]
-        faults = compare(exported, [path.read_text(encoding="utf-8") for path in sorted(pathlib.Path(folder).glob("*.hpp"))])
+        # Headers of messages are for the command and the bindings.
+        headers = [*pathlib.Path(folder).glob("*.hpp"), *(pathlib.Path(__file__).parents[2] / "src/messages").glob("*.hpp")]
+        faults = compare(exported, [path.read_text(encoding="utf-8") for path in sorted(headers)])
         print(f"{len(exported)} symbols")
         sys.exit("\n".join(faults) or None)
