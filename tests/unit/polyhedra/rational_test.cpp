@@ -36,7 +36,7 @@ TEST(Rational, OfDoubles) {
   for (const double x : {1e300, -1e300, 5e-324, 0x1p62, -0x1p63, 0x1.fffffffffffffp-3, 1e18})
     EXPECT_EQ(Rational(x).to_double(), x);
   EXPECT_THROW(Rational(std::nan("")), Error);
-  EXPECT_THROW(Rational(std::numeric_limits<double>::infinity()), Error);
+  EXPECT_THROW(Rational{std::numeric_limits<double>::infinity()}, Error);
 }
 
 TEST(Rational, OfFractions) {
