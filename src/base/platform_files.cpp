@@ -126,6 +126,43 @@ int RawFile::write_some(std::uint64_t offset, const void* data, std::size_t size
   return written ? 0 : error_of_system();
 }
 
+namespace {
+
+/// Some devices, and folders of some file systems, have nothing to flush.
+int flush(HANDLE file) {
+  if (FlushFileBuffers(file) != 0) return 0;
+  const DWORD error = GetLastError();
+  return error == ERROR_INVALID_FUNCTION || error == ERROR_NOT_SUPPORTED || error == ERROR_INVALID_HANDLE
+             ? 0
+             : error_of_system();
+}
+
+/// Flushing needs the right to write.
+int flush(const std::string& path, DWORD flags) {
+  const fs::path name = path_of(path);
+  const HANDLE file =
+      CreateFileW(name.c_str(), GENERIC_WRITE, FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE,
+                  nullptr, OPEN_EXISTING, flags, nullptr);
+  if (file == INVALID_HANDLE_VALUE) return error_of_system();
+  const int error = flush(file);
+  CloseHandle(file);
+  return error;
+}
+
+}  // namespace
+
+int sync_stream(std::FILE* stream) {
+  return flush(reinterpret_cast<HANDLE>(_get_osfhandle(_fileno(stream))));
+}
+
+int sync_file(const std::string& path) { return flush(path, FILE_ATTRIBUTE_NORMAL); }
+
+// Not everyone who may create files in a folder may open the folder itself to write.
+int sync_folder(const std::string& path) {
+  const int error = flush(path, FILE_FLAG_BACKUP_SEMANTICS);
+  return error == EACCES ? 0 : error;
+}
+
 // The folder of the file can be emptied meanwhile, but nobody else can open the file.
 FileLock::FileLock(const char* path) {
   const HANDLE file = CreateFileW(path_of(path).c_str(), GENERIC_READ | GENERIC_WRITE, FILE_SHARE_DELETE,
@@ -194,6 +231,38 @@ int RawFile::write_some(std::uint64_t offset, const void* data, std::size_t size
   return put < 0 ? errno : 0;
 }
 
+namespace {
+
+int sync_descriptor(int file) {
+#ifdef F_FULLFSYNC
+  if (::fcntl(file, F_FULLFSYNC) == 0) return 0;  // fsync() ends at the cache of the disk there
+#endif
+  int done = 0;
+  do done = ::fsync(file);
+  while (done != 0 && errno == EINTR);
+  return done == 0 || errno == EINVAL || errno == EROFS || errno == ENOSYS || errno == ENOTSUP ? 0 : errno;
+}
+
+int sync_path(const std::string& path, int flags) {
+  const int file = ::open(path.c_str(), flags | O_RDONLY | O_CLOEXEC);
+  if (file < 0) return errno;
+  const int error = sync_descriptor(file);
+  ::close(file);
+  return error;
+}
+
+}  // namespace
+
+int sync_stream(std::FILE* stream) { return sync_descriptor(::fileno(stream)); }
+
+int sync_file(const std::string& path) { return sync_path(path, 0); }
+
+// Not everyone who may create files in a folder may read its names.
+int sync_folder(const std::string& path) {
+  const int error = sync_path(path, O_DIRECTORY);
+  return error == EACCES ? 0 : error;
+}
+
 FileLock::FileLock(const char* path) {
   file_ = ::open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (file_ >= 0) is_held_ = ::flock(static_cast<int>(file_), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
@@ -260,6 +329,10 @@ int RawFile::write_some(std::uint64_t offset, const void* data, std::size_t size
   return file.good() ? 0 : errno != 0 ? errno : EIO;
 }
 
+int sync_stream(std::FILE* stream) { return std::fflush(stream) == 0 ? 0 : errno; }
+int sync_file(const std::string&) { return 0; }
+int sync_folder(const std::string&) { return 0; }
+
 FileLock::FileLock(const char*) {}
 FileLock::~FileLock() = default;
 
@@ -268,6 +341,20 @@ FileLock::~FileLock() = default;
 RawFile::RawFile() : handle_(std::make_unique<Handle>()) {}
 RawFile::RawFile(RawFile&& other) noexcept = default;
 RawFile::~RawFile() { [[maybe_unused]] const int ignored = close(); }
+
+int sync_piece([[maybe_unused]] const std::string& path, [[maybe_unused]] std::uint64_t offset,
+               [[maybe_unused]] std::uint64_t size) {
+#if DELONE_LINUX
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return errno;
+  // Errors are those of sync_file(): some file systems cannot wait for a piece.
+  [[maybe_unused]] const int ignored =
+      ::sync_file_range(file, static_cast<off64_t>(offset), static_cast<off64_t>(size),
+                        SYNC_FILE_RANGE_WAIT_BEFORE | SYNC_FILE_RANGE_WRITE | SYNC_FILE_RANGE_WAIT_AFTER);
+  ::close(file);
+#endif
+  return 0;
+}
 
 int find_no_room([[maybe_unused]] const char* path, [[maybe_unused]] std::uint64_t bytes) {
 #if DELONE_LINUX

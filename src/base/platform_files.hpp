@@ -64,6 +64,17 @@ class RawFile {
   std::unique_ptr<Handle> handle_;
 };
 
+/// Wait until what was written of a stream without a buffer, or of a file by whomever, is on the disk, so
+/// that it outlasts a power cut. Return 0, or an errno value; 0 also where there is no such thing as that, be
+/// it of the system or of its file.
+[[nodiscard]] int sync_stream(std::FILE* stream);
+[[nodiscard]] int sync_file(const std::string& path);
+/// The same for the names in a folder: of files that were created, renamed or removed.
+[[nodiscard]] int sync_folder(const std::string& path);
+/// Waits for a piece of a file, so that sync_file(), which nothing can stop, has little left to do. Does
+/// nothing where the system cannot do that.
+[[nodiscard]] int sync_piece(const std::string& path, std::uint64_t offset, std::uint64_t size);
+
 /// A file that one process at a time may hold: given back at the end of this object, or of the process.
 class FileLock {
  public:

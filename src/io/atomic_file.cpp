@@ -117,6 +117,7 @@ void AtomicFile::write_now(const char* data, std::size_t size) {
     // Of a large block the system would write all before anything can stop it.
     const std::size_t wanted = std::min(size, largest_write);
     const std::size_t written = std::fwrite(data, 1, wanted, file_);
+    if (tracks_content_) content_.add({data, written});
     data += written;
     size -= written;
     if (written < wanted) {
@@ -126,13 +127,19 @@ void AtomicFile::write_now(const char* data, std::size_t size) {
   }
 }
 
-void AtomicFile::commit() {
+const FileContent& AtomicFile::content() {
+  flush();
+  return content_;
+}
+
+void AtomicFile::complete(bool durably) {
   flush();
   errno = 0;
   if (file_ == stdout) {
     if (std::fflush(stdout) != 0) fail_with(errno);
     return;
   }
+  if (const int unsynced = durably ? platform::sync_stream(file_) : 0; unsynced != 0) fail_with(unsynced);
   const int closed = std::fclose(std::exchange(file_, nullptr));
   if (closed != 0) fail_with(errno);
   if (temporary_.empty()) return;
@@ -140,6 +147,9 @@ void AtomicFile::commit() {
   fs::rename(platform::path_of(temporary_), platform::path_of(target_), error);
   if (error) fail(Errc::cannot_write, "{}: {}", name_, error.message());
   temporary_.clear();
+  if (!durably) return;
+  const std::string folder = platform::text_of(fs::absolute(platform::path_of(target_), error).parent_path());
+  if (const int unsynced = platform::sync_folder(folder); unsynced != 0) fail_with(unsynced);
 }
 
 }  // namespace delone::io

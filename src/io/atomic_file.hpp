@@ -4,6 +4,8 @@
 // checked.
 #pragma once
 
+#include "io/crc32.hpp"
+
 #include <fmt/format.h>
 
 #include <cstddef>
@@ -42,8 +44,16 @@ class AtomicFile {
   void write(std::string_view text) { write(text.data(), text.size()); }
   void write(const void* data, std::size_t size);
 
+  /// From here on counts what is written, and computes its checksum: REQUIRES that nothing is written yet.
+  void track_content() { tracks_content_ = true; }
+  /// What is written so far.
+  const FileContent& content();
+
   /// Completes the file and gives it its name. Nothing may be written afterwards.
-  void commit();
+  void commit() { complete(false); }
+  /// The same, and on return the file and its name are on the disk; whenever the power fails, the file is
+  /// there whole or not at all.
+  void commit_durably() { complete(true); }
 
   /// The target, as messages name it.
   const std::string& name() const { return name_; }
@@ -58,12 +68,15 @@ class AtomicFile {
   void put_number(unsigned long long value);
   void flush();
   void write_now(const char* data, std::size_t size);
+  void complete(bool durably);
   [[noreturn]] void fail_with(int error) const;
 
   std::string name_, target_;
   std::string temporary_;  ///< empty when the target is written directly
   std::FILE* file_ = nullptr;
   fmt::memory_buffer buffer_;
+  bool tracks_content_ = false;
+  FileContent content_;
 };
 
 }  // namespace delone::io

@@ -14,9 +14,6 @@ namespace delone::io {
 
 class AtomicFile;
 
-/// The CRC-32 of zip (reflected polynomial 0xedb88320), continued from `crc`.
-std::uint32_t crc32(std::string_view bytes, std::uint32_t crc = 0);
-
 /// Where a member lies; `offset` is that of its local header.
 struct ZipMember {
   std::string name;

@@ -47,6 +47,25 @@ TEST(PlatformFiles, KeepTheirBytesAndNames) {
   EXPECT_EQ(errno, ENOENT);
 }
 
+TEST(PlatformFiles, AreSynced) {
+  const test::MemoryFolder folder;
+  const std::string path = folder.file("") + name;
+  std::FILE* const file = platform::open_file(path, "wb");
+  ASSERT_NE(file, nullptr);
+  std::fwrite(bytes.data(), 1, bytes.size(), file);
+  std::fflush(file);
+  EXPECT_EQ(platform::sync_stream(file), 0);
+  std::fclose(file);
+  EXPECT_EQ(platform::sync_piece(path, 0, 3), 0);
+  EXPECT_EQ(platform::sync_piece(path, 4, 100), 0);
+  EXPECT_EQ(platform::sync_file(path), 0);
+  EXPECT_EQ(platform::sync_folder(folder.file("")), 0);
+#if DELONE_POSIX || DELONE_WINDOWS
+  EXPECT_EQ(platform::sync_file(path + "?"), ENOENT);
+  EXPECT_EQ(platform::sync_folder(folder.file("none")), ENOENT);
+#endif
+}
+
 TEST(PlatformFiles, AreCreatedOnce) {
   const test::MemoryFolder folder;
   write(platform::create_file(folder.file("") + name));

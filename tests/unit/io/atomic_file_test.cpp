@@ -34,6 +34,25 @@ TEST_F(AtomicFiles, AppearWhenCommitted) {
   EXPECT_EQ(num_files(), 1u);
 }
 
+TEST_F(AtomicFiles, SayWhatTheyHold) {
+  AtomicFile out(path("a"));
+  out.track_content();
+  EXPECT_EQ(out.content(), io::FileContent());
+  out.write("text ");
+  out.put(0.1);
+  io::FileContent expected;
+  expected.add("text 0.1");
+  EXPECT_EQ(out.content(), expected);
+  const std::string block(std::size_t{20} << 20, 'x');
+  out.write(block);
+  out.put(' ');
+  expected.add(block + ' ');
+  EXPECT_EQ(out.content(), expected);
+  out.commit_durably();
+  EXPECT_EQ(content("a"), "text 0.1" + block + ' ');
+  EXPECT_EQ(num_files(), 1u);
+}
+
 TEST_F(AtomicFiles, CanBeStoppedInTheMidstOfALargeBlock) {
   const std::string block(std::size_t{40} << 20, 'x');
   int calls = 0;
