@@ -40,7 +40,7 @@ void BuildOptions::add_qhull(CLI::App& command, const std::string& program, cons
 }
 
 void BuildOptions::add_limits(CLI::App& command, const std::string& what, const std::string& beyond) {
-  add_size(command, "--memory", memory, "The most memory to use, such as 2G: beyond it " + beyond);
+  add_size(command, "--memory", memory, "The most memory to use, such as 2G: beyond it " + beyond, 1);
   add_duration(
       command, "--time", time,
       "The most time to build " + what + ", such as 90 (seconds), 10m or 2h: beyond it the command ends");

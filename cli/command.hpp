@@ -110,7 +110,7 @@ std::optional<AnyData> try_read(const std::string& path, std::string format, std
 void add_max_stream(CLI::App& command, std::uint64_t& bytes);
 /// An option whose value is a size, as 500MB or 2G.
 void add_size(CLI::App& command, const std::string& name, std::uint64_t& bytes,
-              const std::string& description);
+              const std::string& description, std::uint64_t least = 0);
 /// The same for a time, as 90, 10m or 2h; in seconds.
 void add_duration(CLI::App& command, const std::string& name, double& seconds,
                   const std::string& description);

@@ -48,13 +48,17 @@ void add_max_stream(CLI::App& command, std::uint64_t& bytes) {
 }
 
 void add_size(CLI::App& command, const std::string& name, std::uint64_t& bytes,
-              const std::string& description) {
+              const std::string& description, std::uint64_t least) {
   command
       .add_option_function<std::string>(
           name,
-          [&bytes, name](const std::string& text) {
+          [&bytes, name, least](const std::string& text) {
             constexpr std::uint64_t largest = std::numeric_limits<std::int64_t>::max();
             const std::optional<std::uint64_t> size = parse_size(text);
+            if (size && *size < least)
+              throw CLI::ValidationError(
+                  name, fmt::format("{} is too little: a size of at least {} byte{} was expected",
+                                    messages::in_quotes(text), least, least == 1 ? "" : "s"));
             if (!size || *size > largest)
               throw CLI::ValidationError(
                   name, messages::in_quotes(text) +
