@@ -71,6 +71,10 @@ std::unique_ptr<delone_object> object_of(const TilesIndex& index) {
   of_parts("part_points", &TilePart::num_points);
   of_parts("part_vertices", &TilePart::num_vertices);
   of_parts("part_foreign", &TilePart::num_foreign);
+  of_parts("part_bytes", &TilePart::num_bytes);
+  of_parts("part_crc32", &TilePart::crc32);
+  of_parts("part_seam_bytes", &TilePart::num_seam_bytes);
+  of_parts("part_seam_crc32", &TilePart::seam_crc32);
   return results;
 }
 

@@ -116,6 +116,11 @@ TilesOptions options_of(const TilesCommand& command, ProgressBar& bar) {
     }
     return true;
   };
+  options.damage = [&bar](const std::vector<std::string>& files) {
+    bar.clear();
+    for (const std::string& file : files) print_note(fmt::format("delone: {}; made again\n", file));
+    return true;
+  };
   return options;
 }
 

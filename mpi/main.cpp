@@ -155,6 +155,11 @@ int run(int argc, char** argv) {
     return complain(exit_status::usage, fmt::format("{} (see 'delone-mpi --help')", error.what()));
   }
   options.resume = !arguments.no_resume;
+  options.damage = [](const std::vector<std::string>& files) {  // on the rank that finds it
+    for (const std::string& file : files)
+      std::fputs(fmt::format("delone-mpi: {}; made again\n", file).c_str(), stderr);
+    return true;
+  };
   if (arguments.raw > 0) {
     options.format = "raw";
     options.columns = arguments.raw;

@@ -10,15 +10,18 @@
 #include "seam_exchange.hpp"
 #include "share.hpp"
 #include "split_tree_file.hpp"
+#include "tiles/folder_names.hpp"
 #include "tiles/index_file.hpp"
 #include "tiles/page_tree.hpp"
 #include "tiles/part_file.hpp"
+#include "tiles/repair.hpp"
 #include "tiles/tile_plan.hpp"
 #include "tiles/tile_triangulation.hpp"
 #include "tiles/vtu_parts.hpp"
 #include "tiles/work_folder.hpp"
 #include "whole_survey.hpp"
 
+#include <fmt/ranges.h>
 #include <delone/mpi/tiles.hpp>
 #include <delone/progress.hpp>
 
@@ -164,13 +167,30 @@ class Run {
     });
     const bool is_finished = ranks_.max(std::int64_t{index ? 1 : 0}) == 1;
     ranks_.together([&] {
-      if (ranks_.rank() == 0) return;
-      if (is_finished)
-        index = read_tiles_index(folder_name_);
-      else
-        open(true);
+      if (ranks_.rank() != 0) {
+        if (is_finished)
+          index = read_tiles_index(folder_name_);
+        else
+          open(true);
+      }
+      if (index) require_undamaged(*index);
+    });
+    ranks_.together([&] {
+      if (index && ranks_.rank() == 0) tiles::remove_leftover_work(folder_name_);
     });
     return index;
+  }
+
+  /// Each rank reads its share of the files of a finished folder. Parts cannot be made again one by one, as
+  /// the cut into tiles depends on the number of ranks, and is not kept.
+  void require_undamaged(const TilesIndex& index) {
+    const auto p = static_cast<std::size_t>(ranks_.size()), rank = static_cast<std::size_t>(ranks_.rank());
+    const std::size_t n = index.parts.size();
+    const ProgressScope scope(part_of_progress(share_of_survey, 1));
+    const auto damaged = tiles::find_damaged_files(folder_name_, index, n * rank / p, n * (rank + 1) / p);
+    if (!damaged.empty())
+      io::fail(Errc::bad_format, "{}; make the tiles again with resume off",
+               fmt::join(tiles::texts_of(damaged), "; "));
   }
 
   /// Each rank makes its tiles one after the other; in a wave all ranks have one tile, or none.
@@ -183,8 +203,16 @@ class Run {
       effort_.num_points +=
           static_cast<std::int64_t>(pages.table().first_point[pages.table().tiles[t].last_page] -
                                     pages.table().first_point[pages.table().tiles[t].first_page]);
-      if (!folder_->finished(t)) own.push_back(t);
     }
+    ranks_.together([&] {
+      const ProgressScope scope(part_of_progress(share_of_points, share_of_points));
+      const std::size_t first = pages.owners().first_tile(rank), last = pages.owners().first_tile(rank + 1);
+      const auto damage = folder_->verify(first, last);
+      if (!damage.empty() && options_.damage && !options_.damage(damage))
+        throw Error(Errc::cancelled, "cancelled");
+      for (std::size_t t = first; t < last; ++t)
+        if (!folder_->finished(t)) own.push_back(t);
+    });
     const auto waves = static_cast<std::size_t>(ranks_.max(static_cast<std::int64_t>(own.size())));
     for (std::size_t wave = 0; wave < waves; ++wave) {
       const double start = share_of_points,
@@ -255,8 +283,14 @@ class Run {
     records = ranks_.gather(records);
     for (std::size_t t = 0; t < records.size(); ++t) folder_->know(t, records[t]);
     TilesIndex index = folder_->summary();
-    index.num_hull_facets +=
-        match_seams(folder_name_, folder_->work(), tiles::first_cells(index), owners, ranks_);
+    std::vector<io::FileContent> seams;
+    index.num_hull_facets += match_seams(folder_->work(), tiles::first_cells(index), owners, ranks_,
+                                         [&](std::size_t t, std::span<const std::int64_t> cells) {
+                                           seams.push_back(tiles::write_seams(folder_name_, t, cells));
+                                         });
+    seams = ranks_.gather(seams);
+    for (std::size_t t = 0; t < seams.size(); ++t) tiles::set_content_of_seams(index.parts[t], seams[t]);
+    ranks_.together([&] { folder_->sync(owners.first_tile(rank), owners.first_tile(rank + 1)); });
     ranks_.together([&] {
       if (ranks_.rank() == 0) folder_->close(index, options_.vtu);
     });

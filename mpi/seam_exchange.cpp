@@ -8,8 +8,9 @@
 
 namespace delone::mpi {
 
-std::int64_t match_seams(const std::string& folder, const std::string& work,
-                         std::span<const std::int64_t> first_cell, const TileOwners& owners, Ranks& ranks) {
+std::int64_t match_seams(const std::string& work, std::span<const std::int64_t> first_cell,
+                         const TileOwners& owners, Ranks& ranks,
+                         const std::function<void(std::size_t, std::span<const std::int64_t>)>& write) {
   const auto p = static_cast<std::size_t>(ranks.size()), rank = static_cast<std::size_t>(ranks.rank());
   const std::size_t first_tile = owners.first_tile(rank), last_tile = owners.first_tile(rank + 1);
   std::vector<std::vector<std::int64_t>> to_each(p), cells(last_tile - first_tile);
@@ -61,7 +62,7 @@ std::int64_t match_seams(const std::string& folder, const std::string& work,
       for (std::size_t i = 0; i < some.size(); i += 3)
         cells[static_cast<std::size_t>(some[i]) - first_tile][static_cast<std::size_t>(some[i + 1])] =
             some[i + 2];
-    for (std::size_t t = first_tile; t < last_tile; ++t) tiles::write_seams(folder, t, cells[t - first_tile]);
+    for (std::size_t t = first_tile; t < last_tile; ++t) write(t, cells[t - first_tile]);
   });
   return ranks.sum(unmatched);
 }

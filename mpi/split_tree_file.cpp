@@ -45,7 +45,7 @@ void write_split_tree(const std::string& work, const tiles::SplitTree& tree) {
   json["splitters"] = tree.splitters;
   json["below"] = tree.below;
   json["beyond"] = tree.beyond;
-  write_text(tiles::path_in(work, file_name), json.dump() + "\n");
+  tiles::write_json(tiles::path_in(work, file_name), json, true);
 }
 
 std::optional<tiles::SplitTree> read_split_tree(const std::string& work, int dimension,

@@ -212,7 +212,8 @@ DELONE_C_API int delone_set_text(delone_options* options, const char* name, cons
  *   integer  dimension affine_dimension weighted num_points num_vertices num_duplicates num_hidden num_cells
  *            num_hull_facets num_parts
  *   text     hash
- *   array    first_cell, part_cells, part_points, part_vertices, part_foreign, each t (int64)
+ *   array    first_cell, part_cells, part_points, part_vertices, part_foreign, part_bytes, part_crc32,
+ *            part_seam_bytes, part_seam_crc32, each t (int64)
  *
  * "tile", a part
  *   integer  dimension affine_dimension num_points num_cells

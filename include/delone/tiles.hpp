@@ -52,6 +52,9 @@ struct TilesOptions {
   std::function<bool(double)> progress = {};
   /// Called once, before the first tile; return false to cancel (Errc::cancelled).
   std::function<bool(const TilesForecast&)> forecast = {};
+  /// Called before files of an earlier call are made again because they are damaged or missing, with a line
+  /// on each, as "out/part-0002.npz: truncated: 1000 bytes, not 52344"; return false to cancel.
+  std::function<bool(const std::vector<std::string>&)> damage = {};
 };
 
 /// One part of the folder: a tile and its cost.
@@ -63,6 +66,8 @@ struct TilePart {
   std::int64_t num_vertices = 0;  ///< distinct points of the tile that are not hidden
   std::int64_t num_foreign = 0;   ///< points of other tiles that had to be inserted
   std::int64_t num_rounds = 0;    ///< rounds of questions
+  // The sizes in bytes and the checksums, CRC-32 as in zip archives, of the file and of part-0000.seams.npy.
+  std::int64_t num_bytes = 0, crc32 = 0, num_seam_bytes = 0, seam_crc32 = 0;
 };
 
 /// The contents of a folder of tiles: its index.json.
@@ -100,13 +105,17 @@ struct TileData {
 /// every number of threads. After an error, or if the process is killed, finished parts stay, and the same
 /// call continues with the remaining tiles. Only one process at a time may work in a folder.
 ///
+/// With `resume` the same call on a finished folder reads all files, and compares them with the sizes and
+/// checksums in index.json. Parts and seams that are damaged or missing are made again; the index and all
+/// other files stay as they are. Once index.json is there, the folder outlasts a power cut.
+///
 /// Method: docs/decisions/0016-tiles-are-certified-not-merged.md. Cost: that of the triangulation times about
 /// 1 + foreign_share of the forecast, and several times as much from five dimensions on and on hypersurfaces
 /// (docs/tiles.md); three passes over the input; scratch files of twice the size of the points.
 ///
 /// Throws as read_points(), Errc::not_finite with rows(); invalid_argument for a folder that holds anything
-/// else or tiles of other points; out_of_memory if no number of tiles fits; unsupported (vtu for d > 3);
-/// cannot_write; cancelled.
+/// else or tiles of other points; bad_format for a damaged index.json, and if a part does not become what it
+/// was; out_of_memory if no number of tiles fits; unsupported (vtu for d > 3); cannot_write; cancelled.
 DELONE_EXPORT TilesIndex make_tiles(const std::string& input, const std::string& folder,
                                     const TilesOptions& options = {});
 /// The same for points in memory: rows of d coordinates, and a weight if `weighted`.
@@ -116,7 +125,7 @@ DELONE_EXPORT TilesIndex make_tiles(PointsView rows, const std::string& folder,
 /// The index of a finished folder; its numbers agree with each other. Throws Errc::cannot_open, bad_format.
 DELONE_EXPORT TilesIndex read_tiles_index(const std::string& folder);
 /// Part number i of a finished folder, with its seams. Throws Errc::invalid_argument if there is no part i,
-/// cannot_open, bad_format naming the array.
+/// cannot_open, bad_format naming the file, or the array, that is not as index.json says.
 DELONE_EXPORT TileData read_tile(const std::string& folder, std::size_t i);
 
 /// A folder of tiles that is not finished: the number of all tiles, and of finished ones.

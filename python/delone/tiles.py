@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import re
+import warnings
 from fractions import Fraction
 from typing import Iterator, NamedTuple, Optional, Tuple, Union
 
@@ -67,6 +68,14 @@ class PartIndex(NamedTuple):
         The number of points of other tiles that its tile inserted.
     num_rounds : int
         The number of rounds in which it inserted them.
+    num_bytes : int
+        The size of its file.
+    crc32 : int
+        The checksum of its file, as of `zlib.crc32`.
+    num_seam_bytes : int
+        The size of the file of its seams.
+    seam_crc32 : int
+        The checksum of that file.
 
     Examples
     --------
@@ -83,6 +92,10 @@ class PartIndex(NamedTuple):
     num_vertices: int
     num_foreign: int
     num_rounds: int
+    num_bytes: int
+    crc32: int
+    num_seam_bytes: int
+    seam_crc32: int
 
 
 class Part(NamedTuple):
@@ -339,7 +352,7 @@ class Tiles:
 
 
 def make_tiles(points, folder, *, weights=None, columns=None, format=None, raw=None, memory=None, tiles=None, threads=0, resume=True,
-               vtu=False, forecast=None, progress=None) -> Tiles:
+               vtu=False, forecast=None, damage=None, progress=None) -> Tiles:
     """Triangulate the points of a file or an array in tiles.
 
     Makes the Delaunay triangulation, or with weights the regular one, as a folder of parts.
@@ -349,7 +362,7 @@ def make_tiles(points, folder, *, weights=None, columns=None, format=None, raw=N
     points : str, os.PathLike or (n, d) array_like
         The points. Files .npy, .csv, .tsv, .txt, .xyz and .pts are read in pieces, .off and .ply at once.
     folder : str or os.PathLike
-        The folder. It is created, or must be empty, or hold the unfinished work of an earlier call with the same arguments.
+        The folder. It is created, or must be empty, or hold the work of an earlier call with the same arguments.
     weights : (n,) array_like, str or int, optional
         The weights; for a file the name or number (from 0) of their column.
     columns : sequence of str or int, optional
@@ -359,18 +372,22 @@ def make_tiles(points, folder, *, weights=None, columns=None, format=None, raw=N
     raw : int, optional
         The file consists of little-endian float64, this many in a row, the weight included.
     memory : int or str, optional
-        The most memory to use, in bytes or as "2G" or "500MB", the program and its arrays included. K, M, G, T and KiB, ... are
-        powers of 1024; KB, ... are powers of 1000. By default three quarters of what is free.
+        The most memory to use, above 0, in bytes or as "2G" or "500MB", the program and its arrays included. K, M, G, T and
+        KiB, ... are powers of 1024; KB, ... are powers of 1000. By default three quarters of what is free.
     tiles : int, optional
         The number of tiles. By default as few as the memory allows. It does not change the triangulation.
     threads : int, default 0
         The most threads to use; 0: one per core if the work is large enough to gain by it.
     resume : bool, default True
-        Continue from what an earlier call has left in the folder. Otherwise its tiles are removed first.
+        Continue from what an earlier call has left in the folder; of a finished folder make only those files again that are
+        damaged or missing. Otherwise its tiles are removed first.
     vtu : bool, default False
         Also write tiles.pvtu and a .vtu for each part, for ParaView (d <= 3).
     forecast : callable, optional
         Called once with a `Forecast`, before the first tile; returning a false value other than None cancels the call.
+    damage : callable, optional
+        Called with a tuple of str before files of an earlier call are made again because they are damaged or missing: what is
+        wrong with each. Returning a false value other than None cancels the call. By default a RuntimeWarning says it.
     progress : bool or callable, optional
         As for `delone.Delaunay`.
 
@@ -410,9 +427,11 @@ def make_tiles(points, folder, *, weights=None, columns=None, format=None, raw=N
     """
     if forecast is not None and not callable(forecast):
         raise TypeError("forecast: a function of a Forecast, or None")
+    if damage is not None and not callable(damage):
+        raise TypeError("damage: a function of a tuple of str, or None")
     tell = None if forecast is None else lambda found: forecast(Forecast(*found))
     how = dict(memory=_bytes_of(memory), tiles=0 if tiles is None else _positive(tiles, "tiles"), threads=threads, resume=bool(resume),
-               vtu=bool(vtu), forecast=tell, progress=progress, format=format or "", columns=0 if raw is None else _positive(raw, "raw"),
+               vtu=bool(vtu), forecast=tell, damage=damage or _warn_of_damage, progress=progress, format=format or "", columns=0 if raw is None else _positive(raw, "raw"),
                coordinates=[] if columns is None else [str(each) for each in columns], weights="", weighted=weights is not None)
     if isinstance(points, (str, bytes, os.PathLike)):
         if raw is not None:
@@ -430,6 +449,11 @@ def make_tiles(points, folder, *, weights=None, columns=None, format=None, raw=N
         given = _rows_of(points, weights)
     _core._make_tiles(given, os.fsencode(folder), **how)
     return Tiles(folder)
+
+
+def _warn_of_damage(files: Tuple[str, ...]) -> None:
+    for file in files:
+        warnings.warn(f"{file}; made again", RuntimeWarning, stacklevel=3)
 
 
 def _rows_of(points, weights) -> np.ndarray:

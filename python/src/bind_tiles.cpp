@@ -21,10 +21,11 @@ using namespace py::literals;
 py::dict index_as_dict(const TilesIndex& index) {
   py::list parts;
   for (const TilePart& part : index.parts)
-    parts.append(py::dict("file"_a = part.file, "first_cell"_a = part.first_cell,
-                          "num_cells"_a = part.num_cells, "num_points"_a = part.num_points,
-                          "num_vertices"_a = part.num_vertices, "num_foreign"_a = part.num_foreign,
-                          "num_rounds"_a = part.num_rounds));
+    parts.append(py::dict(
+        "file"_a = part.file, "first_cell"_a = part.first_cell, "num_cells"_a = part.num_cells,
+        "num_points"_a = part.num_points, "num_vertices"_a = part.num_vertices,
+        "num_foreign"_a = part.num_foreign, "num_rounds"_a = part.num_rounds, "num_bytes"_a = part.num_bytes,
+        "crc32"_a = part.crc32, "num_seam_bytes"_a = part.num_seam_bytes, "seam_crc32"_a = part.seam_crc32));
   return py::dict("dimension"_a = index.dimension, "affine_dimension"_a = index.affine_dimension,
                   "weighted"_a = index.weighted, "num_points"_a = index.num_points,
                   "num_vertices"_a = index.num_vertices, "num_duplicates"_a = index.num_duplicates,
@@ -37,7 +38,7 @@ py::dict index_as_dict(const TilesIndex& index) {
 py::dict make(const py::object& input, const std::string& folder, std::uint64_t memory, std::size_t tiles,
               int threads, bool weighted, const std::string& format, int columns,
               std::vector<std::string> coordinates, std::string weights, bool resume, bool vtu,
-              const py::object& forecast, const py::object& progress) {
+              const py::object& forecast, const py::object& damage, const py::object& progress) {
   TilesOptions options;
   options.memory = memory;
   options.tiles = tiles;
@@ -58,6 +59,9 @@ py::dict make(const py::object& input, const std::string& folder, std::uint64_t 
                               f.bytes_per_tile);
       });
     };
+  options.damage = [&](const std::vector<std::string>& files) {
+    return supervisor.agrees(damage, [&] { return py::tuple(py::cast(files)); });
+  };
   if (py::isinstance<py::bytes>(input)) {
     const auto path = input.cast<std::string>();
     return index_as_dict(supervisor.run([&] { return make_tiles(path, folder, options); }));
@@ -123,7 +127,7 @@ py::dict check(const std::string& folder, const py::object& input, int level, bo
 void bind_tiles(py::module_& module) {
   module.def("_make_tiles", &make, "input"_a, "folder"_a, py::kw_only(), "memory"_a, "tiles"_a, "threads"_a,
              "weighted"_a, "format"_a, "columns"_a, "coordinates"_a, "weights"_a, "resume"_a, "vtu"_a,
-             "forecast"_a, "progress"_a,
+             "forecast"_a, "damage"_a, "progress"_a,
              "Makes a folder of tiles from a path or an array, the last column of which may be weights, and "
              "returns its index.");
   module.def("_read_tiles_index", &read_index, "folder"_a, "The index of a folder of tiles.");

@@ -7,8 +7,6 @@
 #include "tiles/json_members.hpp"
 #include "tiles/part_file.hpp"
 
-#include <delone/io.hpp>
-
 #include <filesystem>
 #include <limits>
 
@@ -59,8 +57,12 @@ void write_tiles_index(const std::string& folder, const TilesIndex& index, const
                              {"num_points", part.num_points},
                              {"num_vertices", part.num_vertices},
                              {"num_foreign", part.num_foreign},
-                             {"num_rounds", part.num_rounds}});
-  write_text(path_in(folder, index_name), json.dump(1) + "\n");
+                             {"num_rounds", part.num_rounds},
+                             {"num_bytes", part.num_bytes},
+                             {"crc32", part.crc32},
+                             {"num_seam_bytes", part.num_seam_bytes},
+                             {"seam_crc32", part.seam_crc32}});
+  write_json(path_in(folder, index_name), json, true);
 }
 
 TilesIndex read_tiles_index(const std::string& folder, std::string& fingerprint) {
@@ -103,6 +105,10 @@ TilesIndex read_tiles_index(const std::string& folder, std::string& fingerprint)
       part.num_vertices = given.number("num_vertices", 0, part.num_points);
       part.num_foreign = given.number("num_foreign", 0, most);
       part.num_rounds = given.number("num_rounds", 0, most);
+      part.num_bytes = given.number("num_bytes", 0, most);
+      part.crc32 = given.number("crc32", 0, largest_crc32);
+      part.num_seam_bytes = given.number("num_seam_bytes", 0, most);
+      part.seam_crc32 = given.number("seam_crc32", 0, largest_crc32);
       next += part.num_cells;
       cells.add(part.num_cells);
       points.add(part.num_points);
@@ -119,6 +125,16 @@ TilesIndex read_tiles_index(const std::string& folder, std::string& fingerprint)
 bool has_tiles_index(const std::string& folder) {
   std::error_code error;
   return std::filesystem::exists(path_in(folder, index_name), error);
+}
+
+bool is_damaged_index(const std::string& folder) {
+  std::error_code error;
+  if (!std::filesystem::exists(path_in(folder, part_name(0)), error)) return false;
+  const io::Bytes bytes = io::read_all(path_in(folder, index_name), 0, [](std::string_view, bool) {});
+  const nlohmann::json json = nlohmann::json::parse(bytes.view(), nullptr, false);
+  if (json.is_discarded()) return true;
+  const auto format = json.find("format");
+  return format != json.end() && *format == format_name;
 }
 
 }  // namespace delone::tiles

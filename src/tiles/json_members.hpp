@@ -3,6 +3,7 @@
 // range is an error that names it.
 #pragma once
 
+#include "io/atomic_file.hpp"
 #include "io/file.hpp"
 #include "messages/in_quotes.hpp"
 
@@ -101,6 +102,20 @@ inline nlohmann::json read_json(const std::string& path) {
     io::fail(Errc::bad_format, "{}: {}", name, printable(error.what(), 200));
   }
 }
+
+/// Writes a JSON value, whole or not at all, also at a power cut if `durably`.
+inline void write_json(const std::string& path, const nlohmann::ordered_json& json, bool durably) {
+  io::guarded(io::output_name(path), [&] {
+    io::AtomicFile file(path);
+    file.write(json.dump(1) + "\n");
+    if (durably)
+      file.commit_durably();
+    else
+      file.commit();
+  });
+}
+
+inline constexpr std::int64_t largest_crc32 = std::numeric_limits<std::uint32_t>::max();
 
 /// 16 hexadecimal digits per word.
 template <std::size_t n>

@@ -5,8 +5,10 @@
 #include "base/random.hpp"
 #include "complex/canonical_hash.hpp"
 #include "io/file.hpp"
+#include "tiles/folder_names.hpp"
 #include "tiles/page_file.hpp"
 #include "tiles/part_file.hpp"
+#include "tiles/repair.hpp"
 #include "tiles/survey.hpp"
 #include "tiles/tile_plan.hpp"
 #include "tiles/tile_triangulation.hpp"
@@ -30,6 +32,8 @@ namespace {
 
 /// What the steps before and after the tiles take of all the time, about.
 constexpr double share_of_survey = 0.04, share_of_pages = 0.1, share_of_seams = 0.04;
+/// What reading a finished folder takes, and perhaps all that there is to do.
+constexpr double share_of_finished = 0.5;
 
 /// A tile that takes more memory than was forecast.
 struct TileTooLarge {
@@ -65,7 +69,7 @@ class Run {
     for (;;) try {
         return run_with(num_tiles);
       } catch (const TileTooLarge& too_large) {
-        if (options_.tiles > 0 || forecast_.num_tiles >= survey_.num_points)
+        if (options_.tiles > 0 || repairs_ || forecast_.num_tiles >= survey_.num_points)
           io::fail(Errc::out_of_memory,
                    "tile {} of {} takes more than {} bytes; more memory is needed, or more tiles",
                    too_large.tile, forecast_.num_tiles, memory_);
@@ -74,7 +78,7 @@ class Run {
   }
 
  private:
-  /// The number of tiles: that of an unfinished folder of the same input, or as few as fit into memory.
+  /// The number of tiles: that of a folder of the same input, or as few as fit into memory.
   void settle_tiles(std::size_t num_tiles) {
     TilesOptions options = options_;
     if (options.tiles == 0) options.tiles = num_tiles;
@@ -122,25 +126,49 @@ class Run {
     plan.fingerprint = fingerprint_;
     if (options_.resume)
       if (auto index = find_finished(folder_, plan)) {
+        repair(plan, *index, tree);
         if (options_.vtu) write_missing_vtu(folder_, *index);
         return std::move(*index);
       }
     WorkFolder folder(folder_, plan, options_.resume && num_tiles == 0);
+    {
+      const ProgressScope scope(part_of_progress(share_of_survey, share_of_pages));
+      tell(folder.verify(0, plan.num_tiles));
+    }
     const PageTable table = make_pages(tree, folder.work());
     make_parts(folder, table);
     const ProgressScope scope(part_of_progress(1 - share_of_seams, 1));
     return folder.finish_all(memory_ / 4, options_.vtu);
   }
 
+  /// Makes what is damaged in a finished folder again.
+  void repair(const Plan& plan, const TilesIndex& index, const SplitTree& tree) {
+    std::vector<DamagedFile> damaged;
+    {
+      const ProgressScope scope(part_of_progress(share_of_survey, share_of_finished));
+      damaged = find_damaged_files(folder_, index, 0, index.parts.size());
+    }
+    if (damaged.empty()) return remove_leftover_work(folder_);
+    tell(texts_of(damaged));
+    begin_ = share_of_finished;
+    repairs_ = true;
+    RepairFolder folder(folder_, plan, index, damaged);
+    if (folder.has_damaged_parts()) make_parts(folder, make_pages(tree, folder.work()));
+    const ProgressScope scope(part_of_progress(1 - share_of_seams, 1));
+    folder.close(memory_ / 4);
+  }
+
+  /// Says what is damaged, before it is made again.
+  void tell(const std::vector<std::string>& damage) const {
+    if (!damage.empty() && options_.damage && !options_.damage(damage))
+      throw Error(Errc::cancelled, "cancelled");
+  }
+
   PageTable make_pages(const SplitTree& tree, const std::string& work) {
     const ProgressScope scope(part_of_progress(share_of_survey, share_of_pages));
     pages_path_ = path_in(work, "points.bin");
     const std::string table_path = path_in(work, "pages.bin");
-    if (std::filesystem::exists(table_path)) {
-      PageTable table = read_page_table(table_path);
-      const PageFile complete(pages_path_, table);  // throws if it is not
-      return table;
-    }
+    if (auto table = find_page_table(table_path, pages_path_)) return std::move(*table);
     PageFileOptions how;
     how.memory = memory_;
     PageTable table = make_page_file(points_, survey_, tree, pages_path_, how);
@@ -148,7 +176,8 @@ class Run {
     return table;
   }
 
-  void make_parts(WorkFolder& folder, const PageTable& table) {
+  /// In a WorkFolder or RepairFolder.
+  void make_parts(auto& folder, const PageTable& table) {
     const PageTree tree(table);
     PageFile pages(pages_path_, table, cache_bytes());
     for (std::size_t t = 0; t < table.tiles.size(); ++t) {
@@ -179,7 +208,7 @@ class Run {
   /// The progress function of a part of the work, which is from `low` to `high` of all.
   std::function<bool(double)> part_of_progress(double low, double high) {
     return [this, low, high](double fraction) {
-      done_ = std::max(done_, low + (high - low) * fraction);
+      done_ = std::max(done_, begin_ + (1 - begin_) * (low + (high - low) * fraction));
       return !options_.progress || options_.progress(done_);
     };
   }
@@ -192,8 +221,8 @@ class Run {
   std::vector<double> sample_;
   SetModel model_;
   TilesForecast forecast_;
-  double done_ = 0;
-  bool has_told_ = false;
+  double begin_ = 0, done_ = 0;  ///< of the progress: what steps are fractions of, and what is told
+  bool has_told_ = false, repairs_ = false;
   std::string pages_path_;
 };
 

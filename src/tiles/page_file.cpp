@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <cstring>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 namespace delone::tiles {
@@ -112,8 +113,12 @@ void distribute(PointStream& points, const Survey& survey, const SplitTree& tree
              survey.num_points, number);
 }
 
+std::string_view bytes_of(const auto& items) {
+  return {reinterpret_cast<const char*>(items.data()), items.size() * sizeof(items[0])};
+}
+
 /// Writes the pages of the last tile of the table.
-void write_pages(const std::vector<double>& records, const PageTable& table, io::PositionedFile& file,
+void write_pages(const std::vector<double>& records, PageTable& table, io::PositionedFile& file,
                  std::vector<double>& piece) {
   const std::size_t row_size = table.row_size(), record_size = row_size + 1;
   const Tile& tile = table.tiles.back();
@@ -129,6 +134,7 @@ void write_pages(const std::vector<double>& records, const PageTable& table, io:
     if (piece.size() * sizeof(double) < piece_bytes && page + 1 < tile.last_page) continue;
     internal::cancellation_point();
     file.write(offset, piece.data(), piece.size() * sizeof(double));
+    table.pages_content.add(bytes_of(piece));
     offset += piece.size() * sizeof(double);
     piece.clear();
   }
@@ -163,6 +169,7 @@ PageTable make_page_file(PointStream& points, const Survey& survey, const SplitT
     const std::vector<Duplicate> duplicates = take_duplicates(records, table.row_size());
     duplicates_file.write(table.first_duplicate.back() * sizeof(Duplicate), duplicates.data(),
                           duplicates.size() * sizeof(Duplicate));
+    table.duplicates_content.add(bytes_of(duplicates));
     table.first_duplicate.push_back(table.first_duplicate.back() + duplicates.size());
     order_pages(records, page_points, table);
     write_pages(records, table, file, piece);

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <unordered_map>
 
@@ -63,6 +64,9 @@ class PageFile final : public PageSource {
 /// such a one, or damaged.
 void write_page_table(const std::string& path, const PageTable& table);
 PageTable read_page_table(const std::string& path);
+/// The table of the pages in another file, unless one of the files is missing or damaged: then pages are made
+/// again.
+std::optional<PageTable> find_page_table(const std::string& path, const std::string& pages_path);
 void write_survey(const std::string& path, const Survey& survey);
 Survey read_survey(const std::string& path);
 

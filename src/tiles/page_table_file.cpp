@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is known of all pages, kept in files for going on later: a head that tells the kind and the byte
 // order, numbers and arrays, and a checksum of all that. See page_file.hpp.
+#include "base/progress_meter.hpp"
 #include "io/atomic_file.hpp"
+#include "io/crc32.hpp"
 #include "io/file.hpp"
 #include "io/positioned_file.hpp"
-#include "io/zip.hpp"
+#include "tiles/file_content.hpp"
 #include "tiles/page_file.hpp"
 
 #include <algorithm>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <string_view>
+#include <system_error>
 #include <type_traits>
 
 namespace delone::tiles {
@@ -138,6 +142,10 @@ void write_page_table(const std::string& path, const PageTable& table) {
     to.put(tile.low);
     to.put(tile.high);
   }
+  for (const io::FileContent& content : {table.pages_content, table.duplicates_content}) {
+    to.put(content.num_bytes);
+    to.put(content.crc32);
+  }
   to.finish();
 }
 
@@ -157,8 +165,28 @@ PageTable read_page_table(const std::string& path) {
     tile.low = from.get_array<double>();
     tile.high = from.get_array<double>();
   }
+  for (io::FileContent* const content : {&table.pages_content, &table.duplicates_content}) {
+    content->num_bytes = from.get<std::int64_t>();
+    content->crc32 = from.get<std::int64_t>();
+  }
   from.require(agrees(table));
   return table;
+}
+
+std::optional<PageTable> find_page_table(const std::string& path, const std::string& pages_path) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) return std::nullopt;
+  try {
+    PageTable table = read_page_table(path);
+    const auto read = [](std::int64_t) { internal::cancellation_point(); };
+    if (find_damage(pages_path, table.pages_content, read) ||
+        find_damage(pages_path + ".duplicates", table.duplicates_content, read))
+      return std::nullopt;
+    return table;
+  } catch (const Error& error_of_table) {
+    if (error_of_table.code() != Errc::bad_format) throw;
+    return std::nullopt;
+  }
 }
 
 void write_survey(const std::string& path, const Survey& survey) {

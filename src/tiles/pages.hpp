@@ -3,6 +3,8 @@
 // others are the boxes of their pages; the points of a page come when a question reaches it.
 #pragma once
 
+#include "io/crc32.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -44,6 +46,8 @@ struct PageTable {
   std::vector<Tile> tiles;
   /// How many duplicates the tiles before each have, and all have.
   std::vector<std::uint64_t> first_duplicate{0};
+  /// What make_page_file() has written: the pages, and the duplicates.
+  io::FileContent pages_content, duplicates_content;
 
   std::size_t num_pages() const { return first_point.empty() ? 0 : first_point.size() - 1; }
   /// Distinct ones.

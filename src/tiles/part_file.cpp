@@ -7,6 +7,7 @@
 #include "io/npy.hpp"
 #include "io/write_npy.hpp"
 #include "io/zip.hpp"
+#include "tiles/file_content.hpp"
 #include "tiles/npy_items.hpp"
 
 #include <algorithm>
@@ -47,11 +48,8 @@ class PartWriter {
 /// The arrays of a part by name.
 class PartReader {
  public:
-  explicit PartReader(const std::string& path)
-      : name_(io::input_name(path)),
-        bytes_(io::read_all(path, 0,
-                            [this](std::string_view opening, bool) { io::require_zip(opening, name_); })),
-        zip_(bytes_.view(), name_) {}
+  PartReader(const std::string& path, const std::optional<io::FileContent>& expected)
+      : name_(io::input_name(path)), bytes_(read(path, expected)), zip_(bytes_.view(), name_) {}
 
   bool has(const std::string& member) const {
     return std::any_of(zip_.members().begin(), zip_.members().end(),
@@ -77,6 +75,12 @@ class PartReader {
   std::string about(const char* member) const { return name_ + ": " + member; }
 
  private:
+  io::Bytes read(const std::string& path, const std::optional<io::FileContent>& expected) const {
+    io::Bytes bytes =
+        io::read_all(path, 0, [this](std::string_view opening, bool) { io::require_zip(opening, name_); });
+    if (expected) require_content(bytes.view(), *expected, name_);
+    return bytes;
+  }
   io::NpyArray parse(const char* member) const {
     const auto bytes = zip_.find(std::string(member) + ".npy");
     if (!bytes) io::fail(Errc::bad_format, "{}: there is no member '{}'", name_, member);
@@ -125,6 +129,17 @@ void require_seams(const std::vector<std::int32_t>& neighbors, std::size_t corne
   }
 }
 
+/// Gives a file its name, unless it should have become another one.
+io::FileContent commit(io::AtomicFile& file, const std::optional<io::FileContent>& expected) {
+  const io::FileContent content = file.content();
+  if (expected && content != *expected)
+    io::fail(Errc::bad_format,
+             "{}: made again, it differs from what index.json says; make all tiles again with resume off",
+             file.name());
+  file.commit();
+  return content;
+}
+
 constexpr std::int64_t largest_row = std::numeric_limits<std::int64_t>::max() - 1;
 
 }  // namespace
@@ -136,14 +151,12 @@ std::string path_in(const std::string& folder, const std::string& name) {
   return (std::filesystem::path(folder) / name).string();
 }
 
-std::uint64_t write_part(const std::string& folder, std::size_t number, const FinishedTile& tile) {
-  return write_part(folder, number, tile.data);
-}
-
-std::uint64_t write_part(const std::string& folder, std::size_t number, const TileData& data) {
+io::FileContent write_part(const std::string& folder, std::size_t number, const TileData& data,
+                           const std::optional<io::FileContent>& expected) {
   const std::string path = path_in(folder, part_name(number));
   return io::guarded(io::output_name(path), [&] {
     io::AtomicFile file(path);
+    file.track_content();
     PartWriter writer(file);
     const std::size_t v = data.num_points(), d = static_cast<std::size_t>(data.dimension),
                       m = data.num_cells(), corners = static_cast<std::size_t>(data.affine_dimension + 1);
@@ -157,26 +170,29 @@ std::uint64_t write_part(const std::string& folder, std::size_t number, const Ti
     writer.add("own_rows", data.own_rows, {data.own_rows.size()});
     writer.add("vertex_of_row", data.vertex_of_row, {data.own_rows.size()});
     writer.finish();
-    file.commit();
-    return static_cast<std::uint64_t>(std::filesystem::file_size(path));
+    return commit(file, expected);
   });
 }
 
-void write_seams(const std::string& folder, std::size_t number, std::span<const std::int64_t> seams) {
+io::FileContent write_seams(const std::string& folder, std::size_t number,
+                            std::span<const std::int64_t> seams,
+                            const std::optional<io::FileContent>& expected) {
   const std::string path = path_in(folder, seams_name(number));
-  io::guarded(io::output_name(path), [&] {
+  return io::guarded(io::output_name(path), [&] {
     io::AtomicFile file(path);
+    file.track_content();
     std::string storage;
     file.write(io::npy_header(npy_type<std::int64_t>, {seams.size()}));
     file.write(io::little_endian_bytes(seams, storage));
-    file.commit();
+    return commit(file, expected);
   });
 }
 
-TileData read_part(const std::string& folder, std::size_t number) {
+TileData read_part(const std::string& folder, std::size_t number,
+                   const std::optional<io::FileContent>& expected) {
   const std::string path = path_in(folder, part_name(number));
   return io::guarded(io::input_name(path), [&] {
-    const PartReader part(path);
+    const PartReader part(path, expected);
     TileData data;
     data.dimension = static_cast<int>(part.number("dimension", 1, internal::largest_dimension));
     data.affine_dimension = static_cast<int>(part.number("affine_dimension", -1, data.dimension));
@@ -222,11 +238,12 @@ std::size_t count_seams(const TileData& data) {
 
 std::vector<std::int64_t> read_seams(const std::string& folder, std::size_t number, std::size_t num_seams,
                                      std::int64_t first_cell, std::int64_t num_cells_of_part,
-                                     std::int64_t num_cells) {
+                                     std::int64_t num_cells, const std::optional<io::FileContent>& expected) {
   const std::string path = path_in(folder, seams_name(number)), name = io::input_name(path);
   return io::guarded(name, [&] {
     const io::Bytes bytes =
         io::read_all(path, 0, [&](std::string_view opening, bool) { io::require_npy(opening, name); });
+    if (expected) require_content(bytes.view(), *expected, name);
     std::vector<std::int64_t> seams = npy_items<std::int64_t>(io::parse_npy(bytes.view(), name), 1, name);
     if (seams.size() != num_seams)
       io::fail(Errc::bad_format, "{}: expected {} numbers, the seams of {}, found {}", name, num_seams,
@@ -241,7 +258,7 @@ std::vector<std::int64_t> read_seams(const std::string& folder, std::size_t numb
 
 TileData read_tile_of(const std::string& folder, const TilesIndex& index, std::size_t i) {
   const TilePart& part = index.parts.at(i);
-  TileData data = read_part(folder, i);
+  TileData data = read_part(folder, i, content_of_part(part));
   const std::string name = io::input_name(path_in(folder, part_name(i)));
   const auto expect = [&](const char* what, std::int64_t found, std::int64_t expected) {
     if (found != expected)
@@ -256,7 +273,8 @@ TileData read_tile_of(const std::string& folder, const TilesIndex& index, std::s
   require_range(data.own_rows, 0, index.num_points - 1, 1, name + ": own_rows");
   require_range(data.vertex_of_row, index.weighted ? -1 : 0, index.num_points - 1, 1,
                 name + ": vertex_of_row");
-  data.seams = read_seams(folder, i, count_seams(data), part.first_cell, part.num_cells, index.num_cells);
+  data.seams = read_seams(folder, i, count_seams(data), part.first_cell, part.num_cells, index.num_cells,
+                          content_of_seams(part));
   return data;
 }
 

@@ -40,15 +40,14 @@ class Answers {
     const std::array<std::int64_t, 3> words{tile, seam, cell};
     buckets_->append(range_of_tile_[static_cast<std::size_t>(tile)], words);
   }
-  void write(const std::string& folder) {
+  void take(const std::function<void(std::size_t, std::span<const std::int64_t>)>& write) {
     for (std::size_t range = 0, t = 0; range < buckets_->size(); ++range) {
       if (buckets_->size() > 1) {
         start(range);
         const std::vector<std::int64_t> words = buckets_->take(range);
         for (std::size_t i = 0; i < words.size(); i += 3) set(words[i], words[i + 1], words[i + 2]);
       }
-      for (; t < counts_.size() && range_of_tile_[t] == range; ++t)
-        write_seams(folder, t, cells_[t - first_]);
+      for (; t < counts_.size() && range_of_tile_[t] == range; ++t) write(t, cells_[t - first_]);
     }
   }
 
@@ -75,12 +74,13 @@ class Answers {
 
 std::string seam_records_name(std::size_t tile) { return fmt::format("seams-{:04}.bin", tile); }
 
-std::uint64_t append_seam_records(const std::string& work, std::size_t tile, const FinishedTile& finished) {
+io::FileContent append_seam_records(const std::string& work, std::size_t tile, const FinishedTile& finished) {
   const std::string path = path_in(work, seam_records_name(tile));
   return io::guarded(io::output_name(path), [&] {
     const TileData& data = finished.data;
     const auto corners = static_cast<std::size_t>(std::max(data.affine_dimension + 1, 1)), k = corners - 1;
     io::AtomicFile file(path);
+    file.track_content();
     const std::array<std::int64_t, seam_header_words> header{
         static_cast<std::int64_t>(k), static_cast<std::int64_t>(finished.seams.size())};
     file.write(header.data(), sizeof(header));
@@ -97,15 +97,16 @@ std::uint64_t append_seam_records(const std::string& work, std::size_t tile, con
                     {static_cast<std::int64_t>(tile), cell, index, static_cast<std::int64_t>(s)});
       file.write(record.data(), record.size() * sizeof(std::int64_t));
     }
+    const io::FileContent content = file.content();
     file.commit();
-    return static_cast<std::uint64_t>(sizeof(std::int64_t) *
-                                      (seam_header_words + (k + seam_other_words) * finished.seams.size()));
+    return content;
   });
 }
 
-std::int64_t match_seams(const std::string& folder, const std::string& work,
-                         std::span<const std::int64_t> first_cell, std::uint64_t memory) {
-  return io::guarded(io::output_name(folder), [&]() -> std::int64_t {
+std::int64_t match_seams(const std::string& work, std::span<const std::int64_t> first_cell,
+                         std::uint64_t memory,
+                         const std::function<void(std::size_t, std::span<const std::int64_t>)>& write) {
+  return io::guarded(io::output_name(work), [&]() -> std::int64_t {
     const std::size_t tiles = first_cell.size();
     std::vector<std::int64_t> counts(tiles);
     std::size_t k = 0;
@@ -147,7 +148,7 @@ std::int64_t match_seams(const std::string& folder, const std::string& work,
                            answers.put(c[k], c[k + 3], first_cell[static_cast<std::size_t>(a[k])] + a[k + 1]);
                          });
     }
-    answers.write(folder);
+    answers.take(write);
     return unmatched;
   });
 }

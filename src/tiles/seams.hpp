@@ -3,26 +3,29 @@
 // facet; a facet with one record is on the convex hull.
 #pragma once
 
+#include "io/crc32.hpp"
 #include "tiles/finished_tile.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 
 namespace delone::tiles {
 
-/// Writes the seams of a tile to WORK/seams-0000.bin, whole or not at all, and returns the size of that file.
-/// Written again, they replace what was there.
-std::uint64_t append_seam_records(const std::string& work, std::size_t tile, const FinishedTile& finished);
+/// Writes the seams of a tile to WORK/seams-0000.bin, whole or not at all. Written again, they replace what
+/// was there.
+io::FileContent append_seam_records(const std::string& work, std::size_t tile, const FinishedTile& finished);
 /// The file that append_seam_records() writes.
 std::string seam_records_name(std::size_t tile);
 
 /// Finds the cells across the seams of all tiles, of which tile t has the global cells first_cell[t] …, and
-/// writes FOLDER/part-0000.seams.npy for each. Uses about `memory` bytes, and scratch files in WORK beyond
-/// that. Returns the number of facets without a partner. Throws bad_format if files of WORK are damaged or do
-/// not fit together: three cells with one facet, or two of one tile.
-std::int64_t match_seams(const std::string& folder, const std::string& work,
-                         std::span<const std::int64_t> first_cell, std::uint64_t memory);
+/// calls write(t, cells) for each. Uses about `memory` bytes, and scratch files in WORK beyond that. Returns
+/// the number of facets without a partner. Throws bad_format if files of WORK are damaged or do not fit
+/// together: three cells with one facet, or two of one tile.
+std::int64_t match_seams(const std::string& work, std::span<const std::int64_t> first_cell,
+                         std::uint64_t memory,
+                         const std::function<void(std::size_t, std::span<const std::int64_t>)>& write);
 
 }  // namespace delone::tiles

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tiles/work_folder.hpp"
 
+#include "base/progress_meter.hpp"
 #include "io/file.hpp"
+#include "tiles/file_content.hpp"
+#include "tiles/folder_names.hpp"
 #include "tiles/index_file.hpp"
 #include "tiles/json_members.hpp"
 #include "tiles/part_file.hpp"
 #include "tiles/seams.hpp"
 #include "tiles/vtu_parts.hpp"
-
-#include <delone/io.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -25,41 +26,26 @@ namespace {
 constexpr const char* format_name = "delone plan of tiles";
 constexpr std::int64_t version = 1;
 constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max() - 1;
-constexpr const char *work_name = "work", *plan_name = "plan.json";
+constexpr const char* plan_name = "plan.json";
 
 std::string record_name(std::size_t t) { return fmt::format("tile-{:04}.json", t); }
 
-[[noreturn]] void cannot_write(const std::string& path, const std::error_code& error) {
-  io::fail(Errc::cannot_write, "{}: {}", io::output_name(path), error.message());
-}
-
-void write_plan(const std::string& work, const Plan& plan) {
-  nlohmann::ordered_json json;
-  json["format"] = format_name;
-  json["version"] = version;
-  json["dimension"] = plan.dimension;
-  json["affine_dimension"] = plan.affine_dimension;
-  json["weighted"] = plan.weighted;
-  json["num_points"] = plan.num_points;
-  json["num_tiles"] = plan.num_tiles;
-  json["input"] = plan.fingerprint;
-  write_text(path_in(work, plan_name), json.dump(1) + "\n");
-}
-
-Plan read_plan(const std::string& work) {
-  const std::string path = path_in(work, plan_name), name = io::input_name(path);
-  const nlohmann::json json = read_json(path);
-  const JsonMembers members(json, name);
-  members.require_format(format_name, version, "a plan of tiles");
+/// The plan that a finished folder has followed, and its index.
+std::pair<Plan, TilesIndex> read_finished(const std::string& folder) {
   Plan plan;
-  plan.dimension = static_cast<int>(members.number("dimension", 1, std::numeric_limits<int>::max() - 1));
-  plan.affine_dimension = static_cast<int>(members.number("affine_dimension", -1, plan.dimension));
-  plan.weighted = members.flag("weighted");
-  plan.num_points = members.number("num_points", 0, most);
-  plan.num_tiles =
-      static_cast<std::size_t>(members.number("num_tiles", 0, std::numeric_limits<std::int32_t>::max()));
-  plan.fingerprint = members.text("input");
-  return plan;
+  TilesIndex index;
+  try {
+    index = read_tiles_index(folder, plan.fingerprint);
+  } catch (const Error& error) {
+    if (error.code() != Errc::bad_format || !is_damaged_index(folder)) throw;
+    io::fail(Errc::bad_format, "{}; make the tiles again with resume off", error.what());
+  }
+  plan.dimension = index.dimension;
+  plan.affine_dimension = index.affine_dimension;
+  plan.weighted = index.weighted;
+  plan.num_points = index.num_points;
+  plan.num_tiles = index.parts.size();
+  return {plan, index};
 }
 
 /// In what two plans differ.
@@ -76,51 +62,13 @@ std::string difference(const Plan& found, const Plan& wanted) {
   return "made by another plan";
 }
 
-bool is_of_parts(const std::string& name) {
-  return name == index_name || name == work_name || name == "tiles.pvtu" ||
-         name.starts_with(".delone-partial-") ||
-         (name.starts_with("part-") &&
-          (name.ends_with(".npz") || name.ends_with(".npy") || name.ends_with(".vtu")));
-}
-
-bool is_of_work(const std::string& name) {
-  for (const char* const start : {"plan.json", "split.json", "lock", "points.bin", "pages.bin", "tile-",
-                                  "seams-", "answers", "facets", ".delone-partial-"})
-    if (name.starts_with(start)) return true;
-  return false;
-}
-
-/// Names in the folder, and in its folder `work`, that no folder of tiles has.
-std::vector<std::string> foreign_names(const std::string& folder) {
-  std::vector<std::string> names;
-  std::error_code error;
-  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
-    if (const std::string name = at->path().filename().string(); !is_of_parts(name)) names.push_back(name);
-  const std::string work = path_in(folder, work_name);
-  if (!error && fs::is_directory(work, error))
-    for (fs::directory_iterator at(work, error), end; !error && at != end; at.increment(error))
-      if (const std::string name = at->path().filename().string(); !is_of_work(name))
-        names.push_back(path_in(work_name, name));
-  if (error == std::errc::no_such_file_or_directory) error.clear();
-  if (error) cannot_write(folder, error);
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-/// Removes what folders of tiles have, the plan and the index last.
-void remove_parts(const std::string& folder) {
-  std::vector<fs::path> paths;
-  std::error_code error;
-  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
-    if (is_of_parts(at->path().filename().string())) paths.push_back(at->path());
-  std::sort(paths.begin(), paths.end(), [](const fs::path& a, const fs::path& b) {
-    const bool last_a = a.filename() == index_name || a.filename() == work_name;
-    const bool last_b = b.filename() == index_name || b.filename() == work_name;
-    return last_a != last_b ? last_b : a < b;
-  });
-  for (const fs::path& path : paths)
-    if (!error) fs::remove_all(path, error);
-  if (error) cannot_write(folder, error);
+/// Throws unless the index is one, be it damaged.
+void require_index(const std::string& folder) {
+  try {
+    delone::read_tiles_index(folder);
+  } catch (const Error& error) {
+    if (error.code() != Errc::bad_format || !is_damaged_index(folder)) throw;
+  }
 }
 
 bool has_plan(const std::string& folder) {
@@ -128,13 +76,8 @@ bool has_plan(const std::string& folder) {
   return fs::exists(fs::path(folder) / work_name / plan_name, error);
 }
 
-/// The record of a tile of the plan, if it is there, sound, and the files have the sizes that it names.
-std::optional<TileRecord> find_record(const std::string& folder, const std::string& work, std::size_t t) {
-  const auto has_size = [](const std::string& path, std::uint64_t expected) {
-    std::error_code error;
-    const std::uint64_t size = fs::file_size(path, error);
-    return !error && size == expected;
-  };
+/// The record of a tile of the plan, if it is there and sound.
+std::optional<TileRecord> find_record(const std::string& work, std::size_t t) {
   const std::string path = path_in(work, record_name(t));
   std::error_code error;
   if (!fs::exists(path, error)) return std::nullopt;
@@ -156,11 +99,8 @@ std::optional<TileRecord> find_record(const std::string& folder, const std::stri
     record.largest_weight = members.real("largest_weight");
     record.hash = complex::HashAccumulator::of_words(members.words<5>("hash"));
     record.weighted_hash = complex::HashAccumulator::of_words(members.words<5>("weighted_hash"));
-    record.part_bytes = static_cast<std::uint64_t>(count("part_bytes"));
-    record.seam_bytes = static_cast<std::uint64_t>(count("seam_bytes"));
-    if (!has_size(path_in(folder, part_name(t)), record.part_bytes) ||
-        !has_size(path_in(work, seam_records_name(t)), record.seam_bytes))
-      return std::nullopt;
+    record.part = {count("part_bytes"), members.number("part_crc32", 0, largest_crc32)};
+    record.seam_records = {count("seam_bytes"), members.number("seam_crc32", 0, largest_crc32)};
     return record;
   } catch (const Error& damage) {
     if (damage.code() != Errc::bad_format) throw;
@@ -168,7 +108,42 @@ std::optional<TileRecord> find_record(const std::string& folder, const std::stri
   }
 }
 
+bool has_size(const std::string& path, std::int64_t expected) {
+  std::error_code error;
+  const std::uint64_t size = fs::file_size(path, error);
+  return !error && size == static_cast<std::uint64_t>(expected);
+}
+
 }  // namespace
+
+void write_plan(const std::string& work, const Plan& plan) {
+  nlohmann::ordered_json json;
+  json["format"] = format_name;
+  json["version"] = version;
+  json["dimension"] = plan.dimension;
+  json["affine_dimension"] = plan.affine_dimension;
+  json["weighted"] = plan.weighted;
+  json["num_points"] = plan.num_points;
+  json["num_tiles"] = plan.num_tiles;
+  json["input"] = plan.fingerprint;
+  write_json(path_in(work, plan_name), json, true);
+}
+
+Plan read_plan(const std::string& work) {
+  const std::string path = path_in(work, plan_name), name = io::input_name(path);
+  const nlohmann::json json = read_json(path);
+  const JsonMembers members(json, name);
+  members.require_format(format_name, version, "a plan of tiles");
+  Plan plan;
+  plan.dimension = static_cast<int>(members.number("dimension", 1, std::numeric_limits<int>::max() - 1));
+  plan.affine_dimension = static_cast<int>(members.number("affine_dimension", -1, plan.dimension));
+  plan.weighted = members.flag("weighted");
+  plan.num_points = members.number("num_points", 0, most);
+  plan.num_tiles =
+      static_cast<std::size_t>(members.number("num_tiles", 0, std::numeric_limits<std::int32_t>::max()));
+  plan.fingerprint = members.text("input");
+  return plan;
+}
 
 void require_name(const std::string& folder) {
   if (folder.empty()) throw Error(Errc::invalid_argument, "the name of the folder is empty");
@@ -179,13 +154,6 @@ WorkFolder::WorkFolder(std::string folder, const Plan& plan, bool resume, bool l
   io::guarded(io::output_name(folder_), [&] { open(resume, locked); });
 }
 
-void WorkFolder::lock() {
-  lock_ = std::make_unique<platform::FileLock>(path_in(work_, "lock").c_str());
-  if (!lock_->is_held())
-    io::fail(Errc::cannot_write, "{}: another process is making tiles in this folder",
-             io::output_name(folder_));
-}
-
 void WorkFolder::open(bool resume, bool locked) {
   const std::string name = io::output_name(folder_);
   std::error_code error;
@@ -194,15 +162,15 @@ void WorkFolder::open(bool resume, bool locked) {
   if (fs::exists(status) && !fs::is_directory(status))
     io::fail(Errc::invalid_argument, "{}: not a folder; tiles need one", name);
   if (fs::exists(status) && !fs::is_empty(folder_, error) && !error) {
-    const std::vector<std::string> foreign = foreign_names(folder_);
+    const std::string foreign = foreign_names(folder_);
     const bool finished = has_tiles_index(folder_);
     if (!foreign.empty() || (!finished && !has_plan(folder_)))
       io::fail(Errc::invalid_argument, "{}: the folder is not empty{}; tiles need a folder of their own",
-               name, foreign.empty() ? ", and holds no tiles" : ": it holds " + io::joined(foreign));
-    if (std::error_code none; locked && fs::is_directory(work_, none)) lock();
+               name, foreign.empty() ? ", and holds no tiles" : ": it holds " + foreign);
+    if (std::error_code none; locked && fs::is_directory(work_, none)) lock_ = lock_work(folder_);
     if (!resume) {
-      if (std::string input; finished) read_tiles_index(folder_, input);  // throws if it is not an index
-      if (DELONE_WINDOWS) lock_.reset();                                  // as in close()
+      if (finished) require_index(folder_);
+      if (DELONE_WINDOWS) lock_.reset();  // as in remove_work()
       remove_parts(folder_);
     } else if (finished) {
       io::fail(Errc::invalid_argument, "{}: the folder holds finished tiles", name);
@@ -218,15 +186,34 @@ void WorkFolder::open(bool resume, bool locked) {
   if (error) cannot_write(work_, error);
   if (locked) {
     lock_.reset();
-    lock();
+    lock_ = lock_work(folder_);
   }
   if (!has_plan(folder_)) write_plan(work_, plan_);
-  for (std::size_t t = 0; t < records_.size(); ++t) records_[t] = find_record(folder_, work_, t);
+  for (std::size_t t = 0; t < records_.size(); ++t) records_[t] = find_record(work_, t);
 }
 
 std::size_t WorkFolder::num_finished() const {
   return static_cast<std::size_t>(
       std::count_if(records_.begin(), records_.end(), [](const auto& record) { return record.has_value(); }));
+}
+
+std::vector<std::string> WorkFolder::verify(std::size_t first, std::size_t last) {
+  std::int64_t total = 0, done = 0;
+  for (std::size_t t = first; t < last; ++t)
+    if (records_[t]) total += records_[t]->part.num_bytes + records_[t]->seam_records.num_bytes;
+  const std::function<bool(double)> outer;
+  internal::ProgressMeter meter(outer, static_cast<std::size_t>(total));
+  const auto read = [&](std::int64_t bytes) { meter(static_cast<std::size_t>(done += bytes)); };
+  std::vector<std::string> damage;
+  for (std::size_t t = first; t < last; ++t) {
+    if (!records_[t]) continue;
+    auto what = find_damage(path_in(folder_, part_name(t)), records_[t]->part, read);
+    if (!what) what = find_damage(path_in(work_, seam_records_name(t)), records_[t]->seam_records, read);
+    if (!what) continue;
+    damage.push_back(std::move(*what));
+    records_[t].reset();
+  }
+  return damage;
 }
 
 void WorkFolder::finish(std::size_t t, const FinishedTile& tile) {
@@ -244,8 +231,8 @@ void WorkFolder::finish(std::size_t t, const FinishedTile& tile) {
   record.largest_weight = tile.largest_weight;
   record.hash = tile.hash;
   record.weighted_hash = tile.weighted_hash;
-  record.part_bytes = write_part(folder_, t, tile);
-  record.seam_bytes = append_seam_records(work_, t, tile);
+  record.part = write_part(folder_, t, tile.data);
+  record.seam_records = append_seam_records(work_, t, tile);
   nlohmann::ordered_json json;
   json["num_cells"] = record.num_cells;
   json["num_points"] = record.num_points;
@@ -260,9 +247,11 @@ void WorkFolder::finish(std::size_t t, const FinishedTile& tile) {
   json["largest_weight"] = record.largest_weight;
   json["hash"] = hex_text(record.hash.words());
   json["weighted_hash"] = hex_text(record.weighted_hash.words());
-  json["part_bytes"] = record.part_bytes;
-  json["seam_bytes"] = record.seam_bytes;
-  write_text(path_in(work_, record_name(t)), json.dump(1) + "\n");
+  json["part_bytes"] = record.part.num_bytes;
+  json["part_crc32"] = record.part.crc32;
+  json["seam_bytes"] = record.seam_records.num_bytes;
+  json["seam_crc32"] = record.seam_records.crc32;
+  write_json(path_in(work_, record_name(t)), json, false);
   records_[t] = record;
 }
 
@@ -278,7 +267,8 @@ TilesIndex WorkFolder::summary() const {
   for (std::size_t t = 0; t < records_.size(); ++t) {
     const TileRecord& record = records_[t].value();
     index.parts.push_back({part_name(t), index.num_cells, record.num_cells, record.num_points,
-                           record.num_vertices, record.num_foreign, record.num_rounds});
+                           record.num_vertices, record.num_foreign, record.num_rounds, record.part.num_bytes,
+                           record.part.crc32});
     index.num_vertices += record.num_vertices;
     index.num_duplicates += record.num_duplicates;
     index.num_hidden += record.num_hidden;
@@ -296,18 +286,25 @@ TilesIndex WorkFolder::summary() const {
   return index;
 }
 
+void WorkFolder::sync(std::size_t first, std::size_t last) const {
+  for (std::size_t t = first; t < last; ++t)
+    for (const std::string& file : {part_name(t), seams_name(t)}) sync_file(path_in(folder_, file));
+}
+
 void WorkFolder::close(const TilesIndex& index, bool vtu) {
   if (vtu) write_vtu_parts(folder_, index);
+  sync_folder(folder_);
   write_tiles_index(folder_, index, plan_.fingerprint);
-  std::error_code error;
-  if (DELONE_WINDOWS) lock_.reset();  // where the file of the lock cannot be removed while it is open
-  fs::remove_all(work_, error);
-  if (error) cannot_write(work_, error);
+  remove_work(folder_, std::move(lock_));
 }
 
 TilesIndex WorkFolder::finish_all(std::uint64_t memory, bool vtu) {
   TilesIndex index = summary();
-  index.num_hull_facets += match_seams(folder_, work_, first_cells(index), memory);
+  index.num_hull_facets +=
+      match_seams(work_, first_cells(index), memory, [&](std::size_t t, std::span<const std::int64_t> cells) {
+        set_content_of_seams(index.parts[t], write_seams(folder_, t, cells));
+      });
+  sync(0, records_.size());
   close(index, vtu);
   return index;
 }
@@ -320,28 +317,13 @@ std::vector<std::int64_t> first_cells(const TilesIndex& index) {
 
 std::optional<TilesIndex> find_finished(const std::string& folder, const Plan& plan) {
   if (!has_tiles_index(folder)) return std::nullopt;
-  Plan found;
-  TilesIndex index = read_tiles_index(folder, found.fingerprint);
-  found.dimension = index.dimension;
-  found.affine_dimension = index.affine_dimension;
-  found.weighted = index.weighted;
-  found.num_points = index.num_points;
-  found.num_tiles = index.parts.size();
-  if (found != plan)
+  std::pair<Plan, TilesIndex> found = read_finished(folder);
+  if (found.first != plan)
     io::fail(Errc::invalid_argument,
              "{}: the folder holds finished tiles {}; make them again with resume off, or take "
              "another folder",
-             io::output_name(folder), difference(found, plan));
-  for (std::size_t i = 0; i < index.parts.size(); ++i)
-    for (const std::string& file : {part_name(i), seams_name(i)})
-      if (std::error_code error; !fs::exists(path_in(folder, file), error))
-        io::fail(Errc::bad_format, "{}: {} is missing; make the tiles again with resume off",
-                 io::output_name(folder), file);
-  if (foreign_names(folder).empty()) {
-    std::error_code error;
-    fs::remove_all(fs::path(folder) / work_name, error);  // left by a call that ended just before that
-  }
-  return index;
+             io::output_name(folder), difference(found.first, plan));
+  return std::move(found.second);
 }
 
 void write_missing_vtu(const std::string& folder, const TilesIndex& index) {
@@ -349,6 +331,7 @@ void write_missing_vtu(const std::string& folder, const TilesIndex& index) {
 }
 
 std::optional<Plan> find_plan(const std::string& folder) {
+  if (has_tiles_index(folder)) return read_finished(folder).first;
   if (!has_plan(folder)) return std::nullopt;
   return read_plan(path_in(folder, work_name));
 }
@@ -358,11 +341,17 @@ std::optional<Plan> find_plan(const std::string& folder) {
 namespace delone {
 
 std::optional<UnfinishedTiles> find_unfinished_tiles(const std::string& folder) {
+  if (tiles::has_tiles_index(folder)) return std::nullopt;
   const auto plan = tiles::find_plan(folder);
-  if (!plan || tiles::has_tiles_index(folder)) return std::nullopt;
+  if (!plan) return std::nullopt;
+  const std::string work = tiles::path_in(folder, tiles::work_name);
   UnfinishedTiles unfinished{plan->num_tiles, 0};
-  for (std::size_t t = 0; t < plan->num_tiles; ++t)
-    if (tiles::find_record(folder, tiles::path_in(folder, tiles::work_name), t)) ++unfinished.num_finished;
+  for (std::size_t t = 0; t < plan->num_tiles; ++t) {
+    const auto record = tiles::find_record(work, t);
+    if (record && tiles::has_size(tiles::path_in(folder, tiles::part_name(t)), record->part.num_bytes) &&
+        tiles::has_size(tiles::path_in(work, tiles::seam_records_name(t)), record->seam_records.num_bytes))
+      ++unfinished.num_finished;
+  }
   return unfinished;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/platform_files.hpp"
+#include "io/crc32.hpp"
 #include "tiles/finished_tile.hpp"
 
 #include <delone/tiles.hpp>
@@ -35,8 +36,13 @@ struct TileRecord {
   std::int64_t num_foreign = 0, num_rounds = 0;
   double least_weight = 0, largest_weight = 0;
   complex::HashAccumulator hash, weighted_hash;
-  std::uint64_t part_bytes = 0, seam_bytes = 0;  ///< sizes of the files
+  io::FileContent part, seam_records;  ///< of its two files
 };
+
+/// WORK/plan.json. It is written whole or not at all, also at a power cut.
+void write_plan(const std::string& work, const Plan& plan);
+/// Throws cannot_open, or bad_format.
+Plan read_plan(const std::string& work);
 
 /// Throws invalid_argument if the name of a folder is empty.
 void require_name(const std::string& folder);
@@ -56,7 +62,11 @@ class WorkFolder {
   const std::string& work() const { return work_; }
   const Plan& plan() const { return plan_; }
 
-  /// Tile t if it is complete: its record, and files of the sizes that this names.
+  /// Reads the files of the tiles first … last − 1 that have a record. A tile whose files are not as its
+  /// record says is not finished; returns what is wrong with each.
+  std::vector<std::string> verify(std::size_t first, std::size_t last);
+
+  /// The record of tile t, if there is one; after verify(), if its files are complete.
   const std::optional<TileRecord>& finished(std::size_t t) const { return records_[t]; }
   std::size_t num_finished() const;
 
@@ -67,16 +77,20 @@ class WorkFolder {
   /// wanted, then index.json, and removes FOLDER/work. Uses about `memory` bytes besides those of one part.
   TilesIndex finish_all(std::uint64_t memory, bool vtu = false);
 
+  /// Waits until the parts and seams of the tiles first … last − 1 are on the disk.
+  void sync(std::size_t first, std::size_t last) const;
+
   /// The steps of finish_all() by themselves, for processes that share the folder. What others have finished:
   void know(std::size_t t, const TileRecord& record) { records_[t] = record; }
-  /// What the index will be. Facets of the hull that are seams of parts are not yet counted.
+  /// What the index will be. Facets of the hull that are seams of parts are not yet counted, and what the
+  /// files of seams hold is not known.
   TilesIndex summary() const;
-  /// Writes the files of TilesOptions::vtu if wanted, then index.json, and removes FOLDER/work.
+  /// REQUIRES sync() of all tiles. Writes the files of TilesOptions::vtu if wanted, then index.json, and
+  /// removes FOLDER/work.
   void close(const TilesIndex& index, bool vtu = false);
 
  private:
   void open(bool resume, bool locked);
-  void lock();
 
   std::string folder_, work_;
   std::unique_ptr<platform::FileLock> lock_;
@@ -87,13 +101,14 @@ class WorkFolder {
 /// The global id of the first cell of each part.
 std::vector<std::int64_t> first_cells(const TilesIndex& index);
 
-/// The index of a finished folder of this plan: nothing is left to do. Nothing if there is no index; throws
-/// invalid_argument if the folder is finished and is of another plan.
+/// The index of a finished folder of this plan, whose files may be damaged. Nothing if there is no index;
+/// throws invalid_argument if the folder is finished and is of another plan, bad_format if the index is
+/// damaged.
 std::optional<TilesIndex> find_finished(const std::string& folder, const Plan& plan);
 /// Writes tiles.pvtu and its parts into a finished folder that does not have them.
 void write_missing_vtu(const std::string& folder, const TilesIndex& index);
 
-/// What an unfinished folder is to become; nothing if the folder has no plan.
+/// What a folder is to become, or has become; nothing if the folder has neither plan nor index.
 std::optional<Plan> find_plan(const std::string& folder);
 
 }  // namespace delone::tiles

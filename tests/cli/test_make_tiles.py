@@ -4,6 +4,7 @@ import csv
 import json
 import os
 import resource
+import shutil
 import signal
 import subprocess
 import time
@@ -135,8 +136,9 @@ class Tiles(TilesCase):
             self.assertIn("tiles", self.complaint("delaunay", points, "-o", self.path("out/"), *option, status=64))
         self.complaint("delaunay", points, "-o", self.path("out/"), "--raw", 2, "--format", "npy", status=64)
         self.assertIn("column of the points", self.complaint("regular", points, "--weights", points, "-o", self.path("out/"), status=64))
-        for size in ("2X", "-1", "1.5", ""):
-            self.assertIn("--memory", self.complaint("delaunay", points, "--memory", size, status=64))
+        for size in ("2X", "-1", "1.5", "", "0", "0G"):
+            for output in ([], ["-o", self.path("out/")]):
+                self.assertIn("--memory: ", self.complaint("delaunay", points, *output, "--memory", size, status=64))
         self.assertFalse(os.path.exists(self.path("out")))
         os.mkdir(self.path("there"))
         self.output("delaunay", points, "-o", self.path("there"), "--quiet")
@@ -154,6 +156,78 @@ class Tiles(TilesCase):
         os.mkdir(self.path("read"), 0o500)
         if os.geteuid() != 0:
             self.assertIn("Permission denied", self.complaint("delaunay", points, "-o", self.path("read"), "--quiet"))
+
+
+class Damage(TilesCase):
+    """A finished folder of which files are damaged or missing."""
+
+    def contents(self):
+        found = {}
+        for name in os.listdir(self.path("out")):
+            with open(self.path("out/" + name), "rb") as file:
+                found[name] = file.read()
+        return found
+
+    def flip(self, name, at):
+        with open(self.path("out/" + name), "r+b") as file:
+            file.seek(at)
+            byte = file.read(1)[0]
+            file.seek(at)
+            file.write(bytes([byte ^ 16]))
+
+    def swap(self, a, b):
+        a, b, other = self.path("out/" + a), self.path("out/" + b), self.path("other")
+        os.rename(a, other)
+        os.rename(b, a)
+        os.rename(other, b)
+
+    def require_repaired(self, arguments, damages, names):
+        """The same command makes just these again, and says so."""
+        whole = self.contents()
+        for damage in damages:
+            damage()
+            times = {name: os.stat(self.path("out/" + name)).st_mtime_ns for name in whole if name not in names}
+            self.assertIn(names[0], self.run_delone("check", self.path("out"), status=1).stdout.decode())
+            done = self.run_delone(*arguments)
+            said = done.stderr.decode().splitlines()
+            self.assertEqual(len(said), len(names))
+            for line, name in zip(said, names):
+                self.assertRegex(line, rf"\Adelone: \S+out/{name}: [^;]+; made again\Z")
+            self.assertEqual(json.loads(done.stdout)["hash"], json.loads(whole["index.json"])["hash"])
+            self.assertEqual(self.contents(), whole)
+            self.assertEqual({name: os.stat(self.path("out/" + name)).st_mtime_ns for name in times}, times)
+            self.assertIn("exactly\n", self.output("check", self.path("out")))
+        self.output(*arguments)  # says nothing
+
+    def test_is_made_again(self):
+        points = self.uniform(3, 1000)
+        weighted = self.file("weighted.npy", np.c_[random().random((600, 3)), random().random(600) * 0.02])
+        for command in (["delaunay", points], ["regular", weighted, "--weights", 3]):
+            for tiles in (1, 3):
+                arguments = [*command, "-o", self.path("out/"), "--tiles", tiles, "--quiet", "--stats"]
+                self.output(*arguments)
+                for name in (f"part-000{tiles - 1}.npz", f"part-000{tiles - 1}.seams.npy"):
+                    path = self.path("out/" + name)
+                    size = os.stat(path).st_size
+                    self.require_repaired(arguments, [lambda: os.truncate(path, size // 2), lambda: os.truncate(path, 0), lambda: os.remove(path),
+                                                      lambda: self.flip(name, 12), lambda: self.flip(name, size - 1)], [name])
+                if tiles > 1:
+                    for kind in ("npz", "seams.npy"):
+                        both = [f"part-0000.{kind}", f"part-0002.{kind}"]
+                        self.require_repaired(arguments, [lambda: self.swap(*both)], both)
+                shutil.rmtree(self.path("out"))
+
+    def test_of_the_index(self):
+        points = self.uniform(2, 500)
+        arguments = ["delaunay", points, "-o", self.path("out/"), "--tiles", 2, "--quiet"]
+        self.output(*arguments)
+        whole = self.contents()
+        os.truncate(self.path("out/index.json"), 200)
+        text = self.complaint(*arguments)
+        self.assertIn("index.json", text)
+        self.assertIn("make the tiles again with --no-resume", text)
+        self.output(*arguments, "--no-resume")
+        self.assertEqual(self.contents(), whole)
 
 
 class GoingOn(TilesCase):
@@ -187,8 +261,12 @@ class GoingOn(TilesCase):
         """The parts that are done, and when they were written."""
         return {name: os.stat(self.path("out/" + name)).st_mtime_ns for name in sorted(os.listdir(self.path("out"))) if name.endswith(".npz")}
 
-    def go_on(self, same):
-        made = json.loads(self.output("delaunay", *self.arguments, "--quiet", "--stats"))
+    def go_on(self, same, damaged=()):
+        done = self.run_delone("delaunay", *self.arguments, "--quiet", "--stats")
+        made, said = json.loads(done.stdout), done.stderr.decode().splitlines()
+        self.assertEqual(len(said), len(damaged), said)
+        for line, name in zip(said, damaged):
+            self.assertRegex(line, rf"\Adelone: \S+/{name}: [^;]+; made again\Z")
         self.assertEqual(made["hash"], self.stats(self.points)["hash"])
         after = self.changes()
         self.assertEqual({name: after[name] for name in same}, same)
@@ -207,13 +285,16 @@ class GoingOn(TilesCase):
         self.assertRegex(self.stop(signal.SIGINT), r"\Adelone: interrupted; the same command continues with .*out/: \d+ of 24 tiles are done\n\Z")
         self.go_on(self.done())
 
-    def test_a_truncated_part_is_made_again(self):
+    def test_damaged_parts_are_made_again(self):
         self.stop(signal.SIGTERM)
         done = self.done()
-        broken = sorted(done)[1]
-        os.truncate(self.path("out/" + broken), 1000)
-        del done[broken]
-        self.go_on(done)
+        truncated, changed = sorted(done)[:2]
+        os.truncate(self.path("out/" + truncated), 1000)
+        with open(self.path("out/" + changed), "r+b") as file:
+            file.seek(5000)
+            file.write(b"?!")
+        del done[truncated], done[changed]
+        self.go_on(done, [truncated, changed])
         self.assertIn("exactly\n", self.output("check", self.path("out")))
 
     def test_another_plan(self):

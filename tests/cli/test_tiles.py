@@ -3,6 +3,7 @@
 import json
 import os
 import unittest
+import zlib
 
 import numpy as np
 
@@ -36,6 +37,10 @@ class Tiles(Case):
             np.save(os.path.join(folder, f"part-{t:04}.seams.npy"), seams)
             parts.append(dict(file=f"part-{t:04}.npz", first_cell=int(first), num_cells=int(last - first), num_points=len(own),
                               num_vertices=len(own), num_foreign=0, num_rounds=1))
+            for name, size, crc32 in ((f"part-{t:04}.npz", "num_bytes", "crc32"), (f"part-{t:04}.seams.npy", "num_seam_bytes", "seam_crc32")):
+                with open(os.path.join(folder, name), "rb") as file:
+                    content = file.read()
+                parts[-1].update({size: len(content), crc32: zlib.crc32(content)})
         index = dict(format="delone tiles", version=1, dimension=2, affine_dimension=2, weighted=False, num_points=n, num_vertices=n,
                      num_duplicates=0, num_hidden=0, num_cells=m, num_hull_facets=int((neighbors == -1).sum()), hash=self.stats(points)["hash"],
                      input="", parts=parts)
@@ -69,7 +74,7 @@ class Tiles(Case):
         os.truncate(os.path.join(folder, "part-0001.npz"), 300)
         text = self.output("check", folder, status=1)
         self.assertIn("level 1  storage          FAILED", text)
-        self.assertIn("part-0001.npz", text)
+        self.assertIn("part-0001.npz: truncated: 300 bytes, not ", text)
         os.remove(os.path.join(folder, "index.json"))
         self.assertIn("index.json", self.complaint("check", folder))
         self.assertIn("index.json", self.complaint("info", folder))

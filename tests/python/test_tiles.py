@@ -6,6 +6,8 @@ import pickle
 import signal
 import subprocess
 import sys
+import warnings
+import zlib
 
 import numpy as np
 import pytest
@@ -187,6 +189,44 @@ def test_folders(random, tmp_path):
     (tmp_path / "mine" / "notes").write_text("")
     with pytest.raises(delone.InputError, match="it holds notes"):
         make_tiles(points, tmp_path / "mine")
+
+
+@pytest.mark.parametrize("number", [1, 3])
+@pytest.mark.parametrize("weighted", [False, True])
+def test_damage(random, tmp_path, number, weighted):
+    points = random.random((800, 3))
+    how = dict(weights=random.random(800) * 0.02 if weighted else None, tiles=number)
+    out = tmp_path / "out"
+    made = make_tiles(points, out, **how)
+    last = made.parts[-1]
+    assert all(len(data := (out / part.file).read_bytes()) == part.num_bytes and zlib.crc32(data) == part.crc32 for part in made.parts)
+    seams = out / last.file.replace(".npz", ".seams.npy")
+    assert (seams.stat().st_size, zlib.crc32(seams.read_bytes())) == (last.num_seam_bytes, last.seam_crc32)
+    whole = {path: path.read_bytes() for path in out.iterdir()}
+    for path in (out / last.file, seams):
+        data = whole[path]
+        for damaged in (data[:-1], data[:50], b"", data[:-9] + b"?" + data[-8:], data + b"\0", None):
+            path.unlink() if damaged is None else path.write_bytes(damaged)
+            with pytest.raises(delone.Error, match=path.name):
+                made[-1]
+            assert path.name in made.check().violation
+            seen = []
+            assert make_tiles(points, out, damage=seen.append, **how).hash == made.hash
+            assert len(seen) == 1 and len(seen[0]) == 1 and f"{path.name}: " in seen[0][0]
+            assert {path: path.read_bytes() for path in out.iterdir()} == whole
+    (out / last.file).unlink()
+    with pytest.raises(delone.CancelledError):
+        make_tiles(points, out, damage=lambda files: False, **how)
+    with pytest.raises(ZeroDivisionError):
+        make_tiles(points, out, damage=lambda files: 1 / 0, **how)
+    with pytest.raises(TypeError, match="damage"):
+        make_tiles(points, out, damage=3, **how)
+    assert not (out / last.file).exists()
+    with pytest.warns(RuntimeWarning, match=f"{last.file}.*made again"):
+        make_tiles(points, out, **how)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert make_tiles(points, out, **how).check()
 
 
 def test_progress_stops_and_resumes(random, tmp_path):

@@ -23,8 +23,9 @@ class IndexFile : public TemporaryDirectory {
     index_.num_cells = 7000000000000;
     index_.num_hull_facets = 77;
     index_.hash = {0x0123456789abcdef, 0xfedcba9876543210};
-    index_.parts = {{"part-0000.npz", 0, 6000000000000, 1000, 999, 5, 6},
-                    {"part-0001.npz", 6000000000000, 1000000000000, 999999999000, 999999998990, 0, 0}};
+    index_.parts = {
+        {"part-0000.npz", 0, 6000000000000, 1000, 999, 5, 6, 5000000000000, 0xffffffff, 88, 7},
+        {"part-0001.npz", 6000000000000, 1000000000000, 999999999000, 999999998990, 0, 0, 0, 0, 99, 0}};
     tiles::write_tiles_index(path("."), index_, "input");
   }
   /// The file with one text in place of another.
@@ -56,6 +57,10 @@ TEST_F(IndexFile, IsReadAsWritten) {
   EXPECT_EQ(read.parts[1].first_cell, 6000000000000);
   EXPECT_EQ(read.parts[0].num_foreign, 5);
   EXPECT_EQ(read.parts[0].num_rounds, 6);
+  EXPECT_EQ(read.parts[0].num_bytes, 5000000000000);
+  EXPECT_EQ(read.parts[0].crc32, 0xffffffff);
+  EXPECT_EQ(read.parts[1].num_seam_bytes, 99);
+  EXPECT_EQ(read.parts[0].seam_crc32, 7);
 }
 
 TEST_F(IndexFile, ImpossibleNumbersAreRefused) {
@@ -72,6 +77,9 @@ TEST_F(IndexFile, ImpossibleNumbersAreRefused) {
                  {"parts[1]", "first_cell"});
   expect_refused("part-0001", "../../part-0001", {"parts[1]", "file"});
   expect_refused("\"num_rounds\": 6", "\"rounds\": 6", {"no member 'num_rounds'"});
+  expect_refused("\"crc32\": 4294967295", "\"crc32\": 4294967296", {"parts[0]", "crc32"});
+  expect_refused("\"seam_crc32\": 7", "\"crc\": 7", {"no member 'seam_crc32'"});
+  expect_refused("\"num_bytes\": 5", "\"num_bytes\": -5", {"num_bytes"});
   expect_refused("\"num_vertices\": 999,", "\"num_vertices\": 998,", {"num_vertices"});
   expect_refused("{", "", {"index.json"});
   expect_refused("\"parts\": [", "\"parts\": 3, \"more\": [", {"parts", "an array"});

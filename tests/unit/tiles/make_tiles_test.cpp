@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 
 namespace {
 
@@ -76,6 +77,48 @@ TEST_F(MakeTiles, GoesOn) {
   // Other points.
   EXPECT_THROW(make_tiles(PointsView(std::span(points).first(100), 2), out, options), Error);
   EXPECT_GE(forecasts, 2);
+}
+
+TEST_F(MakeTiles, GoesOnAfterDamage) {
+  const std::vector<double> points = make_point_set("uniform", 2, 3000, 1);
+  const CanonicalHash hash = Delaunay<>(points, 2).hash();
+  for (const std::string damaged : {"part-0001.npz", "work/points.bin", "work/points.bin.duplicates",
+                                    "work/pages.bin", "work/seams-0001.bin", "work/tile-0001.json"})
+    for (const bool flips : {false, true}) {
+      SCOPED_TRACE(damaged);
+      const std::string out = folder("out"), path = out + "/" + damaged;
+      TilesOptions options;
+      options.tiles = 5;
+      options.memory = std::uint64_t{1} << 34;
+      std::vector<std::string> told;
+      options.damage = [&](const std::vector<std::string>& files) {
+        told = files;
+        return true;
+      };
+      options.progress = [&](double) { return !std::filesystem::exists(out + "/work/tile-0002.json"); };
+      try {
+        make_tiles(PointsView(points, 2), out, options);
+        continue;  // it was not asked in time
+      } catch (const Error& error) {
+        EXPECT_EQ(error.code(), Errc::cancelled);
+      }
+      std::string bytes = test::content(path);
+      if (bytes.empty()) bytes = "?";
+      if (flips)
+        bytes[bytes.size() / 3] ^= 1;
+      else
+        bytes.resize(bytes.size() / 2);
+      std::ofstream(path, std::ios::binary) << bytes;
+      options.progress = {};
+      EXPECT_EQ(make_tiles(PointsView(points, 2), out, options).hash, hash);
+      const bool is_told = damaged.starts_with("part") || damaged.starts_with("work/seams");
+      ASSERT_EQ(told.size(), is_told ? 1u : 0u);
+      if (is_told) {
+        EXPECT_NE(told[0].find(damaged), std::string::npos);
+      }
+      EXPECT_TRUE(check_tiles(out).ok);
+      std::filesystem::remove_all(out);
+    }
 }
 
 TEST_F(MakeTiles, Weights) {

@@ -42,6 +42,8 @@ class Seams : public TemporaryDirectory {
   }
 };
 
+const auto ignore = [](std::size_t, std::span<const std::int64_t>) {};
+
 constexpr std::uint64_t plenty = std::uint64_t{1} << 24, little = 4096;
 
 TEST_F(Seams, JoinTheWhole) {
@@ -75,21 +77,21 @@ TEST_F(Seams, OfThreeCellsAreAnError) {
   std::filesystem::create_directory(path("work"));
   for (std::size_t t = 0; t < 3; ++t) tiles::append_seam_records(path("work"), t, tiles[t]);
   const std::vector<std::int64_t> first{0, 1000, 2000, 3000};
-  EXPECT_GT(tiles::match_seams(path(""), path("work"), std::span(first).first(3), plenty), 0);
+  EXPECT_GT(tiles::match_seams(path("work"), std::span(first).first(3), plenty, ignore), 0);
   tiles::append_seam_records(path("work"), 3, tiles[0]);
   expect_error(Errc::bad_format, {"do not fit together", "tile 3"},
-               [&] { tiles::match_seams(path(""), path("work"), first, plenty); });
+               [&] { tiles::match_seams(path("work"), first, plenty, ignore); });
   tiles[0].seams.push_back(tiles[0].seams[0]);
   tiles::append_seam_records(path("work"), 0, tiles[0]);
   expect_error(Errc::bad_format, {"tile 0"},
-               [&] { tiles::match_seams(path(""), path("work"), std::span(first).first(1), little); });
+               [&] { tiles::match_seams(path("work"), std::span(first).first(1), little, ignore); });
 }
 
 TEST_F(Seams, DamagedRecordsAreErrors) {
   const ComplexData data = Delaunay<>(make_point_set("uniform", 2, 50), 2).to_data();
   const auto tiles = cut_into_tiles(data, scattered_tiles(data, 2), 2);
   const std::vector<std::int64_t> first{0, 1000};
-  const auto match = [&] { tiles::match_seams(path(""), path("."), first, plenty); };
+  const auto match = [&] { tiles::match_seams(path("."), first, plenty, ignore); };
   tiles::append_seam_records(path("."), 0, tiles[0]);
   expect_error(Errc::cannot_open, {"seams-0001.bin"}, match);
   tiles::append_seam_records(path("."), 1, tiles[1]);

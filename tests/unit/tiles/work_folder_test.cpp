@@ -59,18 +59,40 @@ TEST_F(WorkFolderTest, GoesOnWithFinishedTiles) {
 
 TEST_F(WorkFolderTest, OnlyCompleteTilesAreFinished) {
   const tiles::Plan plan = plan_of(data_, 3);
-  const auto is_finished = [&] { return WorkFolder(folder_, plan, true).finished(1).has_value(); };
-  for (const char* damaged : {"part-0001.npz", "work/seams-0001.bin", "work/tile-0001.json"})
-    for (const bool remove : {false, true}) {
-      WorkFolder(folder_, plan, true).finish(1, tiles_[1]);
-      EXPECT_TRUE(is_finished());
-      const std::string name = std::string("out/") + damaged, whole = content(name);
-      if (remove)
-        std::filesystem::remove(path(name));
-      else
-        file(name, whole.substr(0, whole.size() - 3));
-      EXPECT_FALSE(is_finished()) << damaged;
+  /// What verify() says of tile 1.
+  const auto damage = [&] {
+    WorkFolder work(folder_, plan, true);
+    const std::vector<std::string> found = work.verify(0, 3);
+    EXPECT_EQ(work.finished(1).has_value(), found.empty());
+    EXPECT_TRUE(work.finished(2));
+    return found.empty() ? "" : found[0];
+  };
+  WorkFolder(folder_, plan, true).finish(2, tiles_[2]);
+  for (const char* damaged : {"part-0001.npz", "work/seams-0001.bin"}) {
+    WorkFolder(folder_, plan, true).finish(1, tiles_[1]);
+    const std::string name = std::string("out/") + damaged, whole = content(name);
+    EXPECT_EQ(damage(), "");
+    file(name, whole.substr(0, whole.size() - 3));
+    EXPECT_NE(damage().find(std::string(damaged) + ": truncated"), std::string::npos);
+    EXPECT_EQ(find_unfinished_tiles(folder_).value().num_finished, 1u);
+    for (std::size_t at = 0; at < whole.size(); at += whole.size() / 20 + 1) {
+      std::string changed = whole;
+      changed[at] ^= 1;
+      file(name, changed);
+      EXPECT_NE(damage().find(std::string(damaged) + ": damaged"), std::string::npos) << at;
     }
+    file(name, whole);
+    EXPECT_EQ(damage(), "");
+    std::filesystem::remove(path(name));
+    EXPECT_NE(damage().find(damaged), std::string::npos);
+  }
+  const std::string record = "out/work/tile-0001.json";
+  for (const std::size_t less : {0, 3, 20}) {
+    WorkFolder(folder_, plan, true).finish(1, tiles_[1]);
+    const std::string whole = content(record);
+    file(record, less == 0 ? std::string(whole.size(), '\0') : whole.substr(0, whole.size() - less));
+    EXPECT_FALSE(WorkFolder(folder_, plan, true).finished(1));
+  }
 }
 
 TEST_F(WorkFolderTest, OfSomethingElseIsLeftAlone) {
@@ -130,8 +152,6 @@ TEST_F(WorkFolderTest, NothingOfOthersIsRemoved) {
   expect_error(Errc::invalid_argument, {"thesis.txt"}, [&] { WorkFolder(folder_, plan, false); });
   EXPECT_EQ(content("out/work/thesis.txt"), "precious");
   std::filesystem::remove_all(path("out/work"));
-  std::filesystem::remove(path("out/part-0001.npz"));
-  expect_error(Errc::bad_format, {"part-0001.npz", "missing"}, [&] { tiles::find_finished(folder_, plan); });
   file("out/index.json", "{\"mine\": 1}");
   expect_error(Errc::bad_format, {"index.json"}, [&] { WorkFolder(folder_, plan, false); });
 }
