@@ -9,11 +9,13 @@
 #include <delone/triangulation.hpp>
 #include <delone/types.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace delone {
@@ -109,7 +111,10 @@ class DELONE_EXPORT PointLocator {
   /// exception from `visit` ends the batch and is passed on; of several exceptions in several threads it is
   /// the one that a single thread would have met. Throws Errc::bad_dimension, not_finite (rows() names the
   /// queries), too_many, out_of_memory, cancelled.
-  void locate(std::span<const double> queries, const Visit& visit, const Execution& how = {}) const;
+  template <std::invocable<std::size_t, const LocatedPoint&> F>
+  void locate(std::span<const double> queries, F&& visit, const Execution& how = {}) const {
+    locate(queries, LocateOptions{}, Visit(std::forward<F>(visit)), how);
+  }
   /// The same with a tolerance. Also throws Errc::invalid_argument for a tolerance that is negative, NaN,
   /// infinite or larger than the set of points. Keeps a table of thick cells for the last tolerance: a byte
   /// per cell.

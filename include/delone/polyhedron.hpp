@@ -118,10 +118,11 @@ class DELONE_EXPORT Polyhedron {
   /// none of dimensions below l. The cost is that of listing all faces.
   std::vector<std::size_t> f_vector() const;
 
-  /// The role of each inequality, or of each vertex and then each ray, of the call that made this polyhedron;
+  /// The kind of each inequality, or of each vertex and then each ray, of the call that made this polyhedron;
   /// empty for one that an operation has made.
   const std::vector<RowKind>& row_kinds() const;
-  /// The rows of these that are duplicate or redundant: all may be left out at once.
+  /// The rows of these that are duplicate or redundant: all may be left out at once. None if this is the
+  /// empty set, where each row alone may be redundant.
   std::vector<std::size_t> redundant_rows() const;
 
   /// The d-dimensional volume, exact: 0 if the affine dimension is less than d; nothing if it is infinite.
@@ -145,8 +146,8 @@ class DELONE_EXPORT Polyhedron {
   Polyhedron product(const Polyhedron& other) const;  ///< {(x, y)} in R^(d+e)
   /// {y : x·y ≤ 1 for each x of this one}.
   Polyhedron polar(const Options& options = {}) const;
-  /// Keeps the coordinates `axes`, in this order. Throws Errc::invalid_argument for an axis that there is
-  /// not, or that comes twice.
+  /// Keeps the coordinates `axes`, in this order. Throws Errc::invalid_argument for an axis that does
+  /// not exist or appears twice.
   Polyhedron projection(std::span<const int> axes, const Options& options = {}) const;
   /// {M·x + t}: `matrix` has d columns, and `translation` is empty or has as many entries as M has rows. A
   /// matrix without rows gives a polyhedron of R^0.

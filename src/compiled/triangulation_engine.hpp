@@ -62,8 +62,9 @@ class TriangulationEngine : public Engine {
   using Engine::Engine;
 };
 
-/// An engine without cells for the flat that projects one-to-one on `axes`: the one compiled for axes.size()
-/// dimensions, or the one for any number beyond 8 and when asked for.
+/// An engine without cells for the flat that projects one-to-one on `axes`. Its implementation is compiled
+/// for axes.size() dimensions. If there is none, or if `force_runtime_dimension`, it takes any number of
+/// axes.
 std::unique_ptr<TriangulationEngine> make_triangulation_engine(const std::vector<int>& axes,
                                                                VertexPoints& points,
                                                                const geometry::Frame& frame,

@@ -2,8 +2,8 @@
 #include "polyhedra/description.hpp"
 
 #include "base/progress_meter.hpp"
+#include "polyhedra/classify_rows.hpp"
 #include "polyhedra/cone.hpp"
-#include "polyhedra/roles.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -80,7 +80,7 @@ void make_canonical(Description& description, const Echelon& equations, const Ec
       std::count_if(description.generators.begin(), description.generators.end(), is_vertex));
 }
 
-RowKind role_of(ConeRow kind) {
+RowKind row_kind_of(ConeRow kind) {
   switch (kind) {
     case ConeRow::whole:
       return RowKind::implicit;
@@ -96,27 +96,27 @@ RowKind role_of(ConeRow kind) {
 }  // namespace
 
 Description from_inequalities(Rows inequalities, const Rows& equations, std::size_t dimension,
-                              RowRoles* roles) {
+                              std::vector<RowKind>* kinds) {
   const std::size_t m = inequalities.size();
   inequalities.push_back(row_of_infinity(dimension));
   ConeRays cone = find_rays(inequalities, equations, dimension + 1);
   Description result;
   result.dimension = dimension;
   if (std::none_of(cone.rays.begin(), cone.rays.end(), is_vertex)) {
-    if (roles != nullptr) roles->kinds.assign(m, RowKind::redundant);
+    if (kinds != nullptr) kinds->assign(m, RowKind::redundant);
     return empty_description(dimension);
   }
   const BitRows columns = cone.zeros.transposed(inequalities.size());
   const ConeRows rows = classify_rows(cone.zeros, columns);
   Echelon affine_hull(dimension + 1, equations);
   std::vector<std::size_t> facet_of_row(m, m);
-  if (roles != nullptr) roles->kinds.resize(m);
+  if (kinds != nullptr) kinds->resize(m);
   for (std::size_t i = 0; i < m; ++i) {
     // Points at infinity alone are no facet.
     bool has_vertex = false;
     for_each(columns[i], [&](std::size_t ray) { has_vertex = has_vertex || is_vertex(cone.rays[ray]); });
     const ConeRow kind = rows.kinds[i] == ConeRow::whole || has_vertex ? rows.kinds[i] : ConeRow::redundant;
-    if (roles != nullptr) roles->kinds[i] = is_zero(inequalities[i]) ? RowKind::redundant : role_of(kind);
+    if (kinds != nullptr) (*kinds)[i] = is_zero(inequalities[i]) ? RowKind::redundant : row_kind_of(kind);
     if (kind == ConeRow::whole) affine_hull.add(inequalities[i]);
     if (kind != ConeRow::facet) continue;
     facet_of_row[i] = result.facets.size();
@@ -132,10 +132,11 @@ Description from_inequalities(Rows inequalities, const Rows& equations, std::siz
   return result;
 }
 
-Description from_generators(Rows generators, const Rows& lines, std::size_t dimension, RowRoles* roles) {
+Description from_generators(Rows generators, const Rows& lines, std::size_t dimension,
+                            std::vector<RowKind>* kinds) {
   const std::size_t m = generators.size();
   if (generators.empty() && lines.empty()) {
-    if (roles != nullptr) roles->kinds.clear();
+    if (kinds != nullptr) kinds->clear();
     return empty_description(dimension);
   }
   if (std::none_of(generators.begin(), generators.end(), is_vertex))
@@ -146,10 +147,10 @@ Description from_generators(Rows generators, const Rows& lines, std::size_t dime
   result.dimension = dimension;
   Echelon lineality(dimension + 1, lines);
   std::vector<std::size_t> kept;
-  if (roles != nullptr) roles->kinds.resize(m);
+  if (kinds != nullptr) kinds->resize(m);
   for (std::size_t i = 0; i < generators.size(); ++i) {
-    if (roles != nullptr && i < m)
-      roles->kinds[i] = is_zero(generators[i]) ? RowKind::redundant : role_of(rows.kinds[i]);
+    if (kinds != nullptr && i < m)
+      (*kinds)[i] = is_zero(generators[i]) ? RowKind::redundant : row_kind_of(rows.kinds[i]);
     if (rows.kinds[i] == ConeRow::whole) lineality.add(generators[i]);
     if (rows.kinds[i] == ConeRow::facet) kept.push_back(i);
   }

@@ -37,19 +37,14 @@ struct Description {
   }
 };
 
-/// The role of each row of the input, and the facet or generator that it is, or the first of the same role.
-struct RowRoles {
-  std::vector<RowKind> kinds;
-};
-
-/// Rows of d+1 integers, primitive or not. `roles`, if given, gets those of `inequalities`.
+/// Rows of d+1 integers, primitive or not. `kinds`, if given, gets those of `inequalities`.
 Description from_inequalities(Rows inequalities, const Rows& equations, std::size_t dimension,
-                              RowRoles* roles = nullptr);
+                              std::vector<RowKind>* kinds = nullptr);
 /// The convex hull of points plus the cone of directions plus the space of lines. Without points, and with
-/// directions or lines, the origin is one. `roles`: those of `generators`. REQUIRES x_0 ≥ 0, and x_0 = 0 for
+/// directions or lines, the origin is one. `kinds`: those of `generators`. REQUIRES x_0 ≥ 0, and x_0 = 0 for
 /// lines.
 Description from_generators(Rows generators, const Rows& lines, std::size_t dimension,
-                            RowRoles* roles = nullptr);
+                            std::vector<RowKind>* kinds = nullptr);
 /// The description of these rows, which are minimal on both sides: they are reduced and sorted, and
 /// incidences are computed.
 Description from_minimal_rows(Rows facets, const Rows& equations, Rows generators, const Rows& lines,

@@ -141,10 +141,10 @@ Polyhedron Polyhedron::from_inequalities(const RationalRows& inequalities, const
   require_width(inequalities, d + 1, "inequalities");
   require_width(equations, d + 1, "equations");
   return polyhedra::within_limits(options, [&] {
-    polyhedra::RowRoles roles;
+    std::vector<RowKind> kinds;
     Description description = polyhedra::from_inequalities(homogeneous_inequalities(inequalities),
-                                                           homogeneous_inequalities(equations), d, &roles);
-    return of(std::move(description), std::move(roles.kinds));
+                                                           homogeneous_inequalities(equations), d, &kinds);
+    return of(std::move(description), std::move(kinds));
   });
 }
 
@@ -155,13 +155,13 @@ Polyhedron Polyhedron::from_generators(const RationalRows& vertices, const Ratio
   require_width(rays, d, "rays");
   require_width(lines, d, "lines");
   return polyhedra::within_limits(options, [&] {
-    polyhedra::RowRoles roles;
+    std::vector<RowKind> kinds;
     Rows generators, directions;
     append_points(vertices, generators);
     append_directions(rays, generators);
     append_directions(lines, directions);
-    Description description = polyhedra::from_generators(std::move(generators), directions, d, &roles);
-    return of(std::move(description), std::move(roles.kinds));
+    Description description = polyhedra::from_generators(std::move(generators), directions, d, &kinds);
+    return of(std::move(description), std::move(kinds));
   });
 }
 
@@ -298,7 +298,7 @@ const std::vector<RowKind>& Polyhedron::row_kinds() const { return impl_->kinds;
 
 std::vector<std::size_t> Polyhedron::redundant_rows() const {
   std::vector<std::size_t> rows;
-  for (std::size_t i = 0; i < impl_->kinds.size(); ++i)
+  for (std::size_t i = 0; i < impl_->kinds.size() && !is_empty(); ++i)
     if (impl_->kinds[i] == RowKind::duplicate || impl_->kinds[i] == RowKind::redundant) rows.push_back(i);
   return rows;
 }

@@ -214,10 +214,6 @@ void dispatch(const PointLocator::Impl& where, const auto&... arguments) {
 
 }  // namespace
 
-void PointLocator::locate(std::span<const double> queries, const Visit& visit, const Execution& how) const {
-  locate(queries, {}, visit, how);
-}
-
 void PointLocator::locate(std::span<const double> queries, const LocateOptions& options, const Visit& visit,
                           const Execution& how) const {
   const internal::ProgressMeter meter(how.progress);

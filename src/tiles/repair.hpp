@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A finished folder of which files are damaged or missing: these alone are made again, and become what they
-// were. The index stays, so that whatever interrupts this, the next call finds what is still to do.
+// Repairs a finished folder with damaged or missing files. Only these are made again, byte for byte. The
+// index stays, so a repair that was interrupted goes on with the next call.
 #pragma once
 
 #include "base/platform_files.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A folder of tiles while it is being made: FOLDER/work/plan.json says what it is to become, and
-// FOLDER/work/tile-0000.json what a tile has become whose part and seams are complete.
+// A folder of tiles while it is being made. FOLDER/work/plan.json says what it is to become.
+// FOLDER/work/tile-0000.json is the record of a tile whose part and seams are complete.
 #pragma once
 
 #include "base/platform_files.hpp"

@@ -4,6 +4,7 @@
 #include <delone/interpolation.hpp>
 
 #include "degenerate.hpp"
+#include "error_code.hpp"
 #include "scale.hpp"
 
 #include <delone/delaunay.hpp>
@@ -205,31 +206,21 @@ TEST(Interpolation, NoPointsAndOnePoint) {
   EXPECT_EQ(slope, (std::vector<double>{0, 0}));
 }
 
-template <class Work>
-Errc code_of(Work work) {
-  try {
-    work();
-  } catch (const Error& e) {
-    return e.code();
-  }
-  ADD_FAILURE() << "no error";
-  return Errc::unsupported;
-}
-
 TEST(Interpolation, Errors) {
   const std::vector<double> points{0, 0, 4, 0, 0, 4}, values{1, 2, 3}, queries{1, 1, 2, 1}, bad{1, nan};
   const Delaunay<> t(points, 2);
   std::vector<double> result(2), wrong(3);
   const LinearInterpolator interpolate(t, values);
-  EXPECT_EQ(code_of([&] { LinearInterpolator(t, values, 2); }), Errc::bad_dimension);
-  EXPECT_EQ(code_of([&] { interpolate.evaluate(queries, wrong); }), Errc::bad_dimension);
-  EXPECT_EQ(code_of([&] { interpolate.gradients(queries, wrong); }), Errc::bad_dimension);
-  EXPECT_EQ(code_of([&] { interpolate.evaluate(queries, result, {.fill = wrong}); }), Errc::bad_dimension);
-  EXPECT_EQ(code_of([&] { interpolate.evaluate(bad, std::span(result).first(1)); }), Errc::not_finite);
+  EXPECT_EQ(test::code_of([&] { LinearInterpolator(t, values, 2); }), Errc::bad_dimension);
+  EXPECT_EQ(test::code_of([&] { interpolate.evaluate(queries, wrong); }), Errc::bad_dimension);
+  EXPECT_EQ(test::code_of([&] { interpolate.gradients(queries, wrong); }), Errc::bad_dimension);
+  EXPECT_EQ(test::code_of([&] { interpolate.evaluate(queries, result, {.fill = wrong}); }),
+            Errc::bad_dimension);
+  EXPECT_EQ(test::code_of([&] { interpolate.evaluate(bad, std::span(result).first(1)); }), Errc::not_finite);
   std::vector<double> many(2 * 5000, 1.0), answers(5000);
-  EXPECT_EQ(
-      code_of([&] { interpolate.evaluate(many, answers, {}, {.progress = [](double) { return false; }}); }),
-      Errc::cancelled);
+  EXPECT_EQ(test::code_of(
+                [&] { interpolate.evaluate(many, answers, {}, {.progress = [](double) { return false; }}); }),
+            Errc::cancelled);
   std::size_t calls = 0;
   interpolate.evaluate(many, answers, {}, {.progress = [&](double) { return ++calls > 0; }});
   EXPECT_GE(calls, 1u);  // at first, and then every few milliseconds

@@ -8,6 +8,7 @@
 #include <delone/predicates.hpp>
 #include <delone/regular.hpp>
 
+#include "error_code.hpp"
 #include "orthosphere_brute_force.hpp"
 #include "scale.hpp"
 
@@ -262,34 +263,24 @@ TEST(AlphaComplex, BoundaryIsOrientedAndThreadsDoNotMatter) {
   }
 }
 
-Errc code_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.code();
-  }
-  ADD_FAILURE() << "no error";
-  return Errc::unsupported;
-}
-
 TEST(AlphaComplex, Errors) {
   const std::vector<std::array<double, 2>> points{{0, 0}, {1, 0}, {0, 1}, {1, 1.5}};
   const Delaunay<2> t(points);
   for (const double radius : {-1.0, -infinity, std::nan("")})
-    EXPECT_EQ(code_of([&] { AlphaComplex(t, radius); }), Errc::invalid_argument);
-  EXPECT_EQ(code_of([&] { AlphaComplex::of_squared_radius(t, std::nan("")); }), Errc::invalid_argument);
+    EXPECT_EQ(test::code_of([&] { AlphaComplex(t, radius); }), Errc::invalid_argument);
+  EXPECT_EQ(test::code_of([&] { AlphaComplex::of_squared_radius(t, std::nan("")); }), Errc::invalid_argument);
   EXPECT_EQ(AlphaComplex(t, infinity).cell_numbers().size(), t.num_finite_cells());
   EXPECT_EQ(AlphaComplex::of_squared_radius(t, -infinity).faces(0).size(), 0u);
   for (const int j : {-1, 3}) {
-    EXPECT_EQ(code_of([&] { alpha_values(t, j); }), Errc::invalid_argument);
-    EXPECT_EQ(code_of([&] { faces(t, j); }), Errc::invalid_argument);
-    EXPECT_EQ(code_of([&] { AlphaComplex(t, 1).faces(j); }), Errc::invalid_argument);
+    EXPECT_EQ(test::code_of([&] { alpha_values(t, j); }), Errc::invalid_argument);
+    EXPECT_EQ(test::code_of([&] { faces(t, j); }), Errc::invalid_argument);
+    EXPECT_EQ(test::code_of([&] { AlphaComplex(t, 1).faces(j); }), Errc::invalid_argument);
   }
   const FurthestSite<2> furthest(points);
-  EXPECT_EQ(code_of([&] { AlphaComplex(furthest, 1); }), Errc::unsupported);
-  EXPECT_EQ(code_of([&] { alpha_values(furthest, 1); }), Errc::unsupported);
+  EXPECT_EQ(test::code_of([&] { AlphaComplex(furthest, 1); }), Errc::unsupported);
+  EXPECT_EQ(test::code_of([&] { alpha_values(furthest, 1); }), Errc::unsupported);
   EXPECT_EQ(faces(furthest, 2).size(), furthest.num_finite_cells());
-  EXPECT_EQ(code_of([&] { alpha_values(t, 1, {.progress = [](double) { return false; }}); }),
+  EXPECT_EQ(test::code_of([&] { alpha_values(t, 1, {.progress = [](double) { return false; }}); }),
             Errc::cancelled);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // to_html(): the description in the page, the blocks it names, and what is refused. What browsers make of it:
 // tests/site/test_viewer.py.
+#include "error_code.hpp"
+
 #include <delone/convex_hull.hpp>
 #include <delone/delaunay.hpp>
 #include <delone/halfspaces.hpp>
@@ -31,16 +33,6 @@ nlohmann::json description(const std::string& page) {
 }
 
 const std::vector<double> square{0, 0, 1, 0, 0, 1, 1, 1, 0.5, 0.25, 1, 1};  // the last one is a duplicate
-
-Errc code_of(const auto& work) {
-  try {
-    work();
-  } catch (const Error& e) {
-    return e.code();
-  }
-  ADD_FAILURE() << "nothing was refused";
-  return Errc{};
-}
 
 TEST(ToHtml, Triangulations) {
   const Delaunay<> t(square, 2);
@@ -104,10 +96,10 @@ TEST(ToHtml, CoordinatesAtTheEndOfTheRange) {
   corner.vertices = {1.5e308, -1.7e308};
   EXPECT_EQ(description(to_html(corner))["numVertices"], 3);
   corner.vertices[0] = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(code_of([&] { to_html(corner); }), Errc::not_finite);
+  EXPECT_EQ(test::code_of([&] { to_html(corner); }), Errc::not_finite);
   corner.vertices[0] = 0;
   corner.rays[1] = 7;
-  EXPECT_EQ(code_of([&] { to_html(corner); }), Errc::invalid_argument);
+  EXPECT_EQ(test::code_of([&] { to_html(corner); }), Errc::invalid_argument);
 }
 
 TEST(ToHtml, CanBeStopped) {
@@ -116,7 +108,7 @@ TEST(ToHtml, CanBeStopped) {
   const ComplexData data = Delaunay<>(points, 2).to_data();
   int calls = 0;
   const ProgressScope scope([&](double) { return ++calls < 2; });
-  EXPECT_EQ(code_of([&] { to_html(data); }), Errc::cancelled);
+  EXPECT_EQ(test::code_of([&] { to_html(data); }), Errc::cancelled);
 }
 
 TEST(ToHtml, NothingAndOnePoint) {
@@ -129,24 +121,25 @@ TEST(ToHtml, NothingAndOnePoint) {
 
 TEST(ToHtml, WhatIsRefused) {
   const auto data = Delaunay<>(square, 2).to_data();
-  EXPECT_EQ(code_of([&] { to_html(data, {.values = {1, 2, 3}}); }), Errc::invalid_argument);
-  EXPECT_EQ(code_of([&] {
+  EXPECT_EQ(test::code_of([&] { to_html(data, {.values = {1, 2, 3}}); }), Errc::invalid_argument);
+  EXPECT_EQ(test::code_of([&] {
               to_html(data, {.values = std::vector<double>(6, std::numeric_limits<double>::infinity())});
             }),
             Errc::invalid_argument);
-  EXPECT_EQ(code_of([&] { to_html(data, {.values = std::vector<double>(6), .values_at = ValuesAt::cells}); }),
-            Errc::invalid_argument);
-  EXPECT_EQ(code_of([&] { to_html(data, {.column_names = {"x"}}); }), Errc::invalid_argument);
+  EXPECT_EQ(
+      test::code_of([&] { to_html(data, {.values = std::vector<double>(6), .values_at = ValuesAt::cells}); }),
+      Errc::invalid_argument);
+  EXPECT_EQ(test::code_of([&] { to_html(data, {.column_names = {"x"}}); }), Errc::invalid_argument);
   auto wrong = data;
   wrong.cells[0] = 99;
-  EXPECT_EQ(code_of([&] { to_html(wrong); }), Errc::invalid_argument);
+  EXPECT_EQ(test::code_of([&] { to_html(wrong); }), Errc::invalid_argument);
   auto hull = ConvexHull<>(square, 2).to_data();
   hull.facet_of_cell[0] = 99;
-  EXPECT_EQ(code_of([&] { to_html(hull, {.values = {1, 2, 3, 4}}); }), Errc::invalid_argument);
+  EXPECT_EQ(test::code_of([&] { to_html(hull, {.values = {1, 2, 3, 4}}); }), Errc::invalid_argument);
   const HalfspaceIntersection<> empty(std::vector<double>{1, 0, 1, -1, 0, 1}, 2);
-  EXPECT_EQ(code_of([&] { to_html(empty.to_data()); }), Errc::invalid_argument);
+  EXPECT_EQ(test::code_of([&] { to_html(empty.to_data()); }), Errc::invalid_argument);
   const Voronoi<> four{Delaunay<>(std::vector<double>{0, 0, 0, 0, 1, 0, 0, 0}, 4)};
-  EXPECT_EQ(code_of([&] { to_html(four); }), Errc::unsupported);
+  EXPECT_EQ(test::code_of([&] { to_html(four); }), Errc::unsupported);
 }
 
 }  // namespace

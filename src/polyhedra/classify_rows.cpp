@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "polyhedra/roles.hpp"
+#include "polyhedra/classify_rows.hpp"
 
 #include "base/progress_meter.hpp"
 
