@@ -253,11 +253,23 @@ py::array_t<double> as_points(const py::object& object, const std::string& name)
   return points;
 }
 
+py::array_t<double> as_more_points(const py::object& object, int dimension, const std::string& name) {
+  py::array_t<double> points = is_frame(object) ? as_points(object, name) : as_doubles(object, name);
+  if (points.ndim() == 1 && points.shape(0) == dimension)
+    points = py::array_t<double>(points.attr("reshape")(1, dimension));
+  points = as_points(points, name);
+  if (points.shape(1) != dimension)
+    throw py::value_error(name + ": an array of shape (n, " + std::to_string(dimension) + "), not " +
+                          shown(points.attr("shape")));
+  return points;
+}
+
 std::string place_in(const std::string& list, std::size_t size, std::size_t place) {
   return size == 1 ? list : list + "[" + std::to_string(place) + "]";
 }
 
-RowNumbers as_rows(const py::object& object, const std::string& name, const std::string& list) {
+RowNumbers as_rows(const py::object& object, const std::string& name, const std::string& list,
+                   const std::function<std::size_t()>& num_rows) {
   refuse_masked(object, name);
   const py::array array = as_array(object, name);
   if (array.ndim() > 1)
@@ -265,7 +277,17 @@ RowNumbers as_rows(const py::object& object, const std::string& name, const std:
   RowNumbers result{{}, array.ndim() == 0};
   if (array.size() == 0) return result;  // of any type, as NumPy makes an array of floats of []
   const char kind = array.dtype().kind();
-  if (kind != 'i' && kind != 'u') throw py::type_error(name + ": integers, not " + shown(array.dtype()));
+  if (kind == 'b' && array.ndim() == 1) {
+    if (const std::size_t count = num_rows(); static_cast<std::size_t>(array.size()) != count)
+      throw py::value_error(name + ": a mask of shape (" + std::to_string(count) + ",), not " +
+                            shown(array.attr("shape")));
+    const py::array_t<bool, py::array::c_style> mask(array);
+    for (std::size_t row = 0; row < static_cast<std::size_t>(mask.size()); ++row)
+      if (mask.data()[row]) result.rows.push_back(row);
+    return result;
+  }
+  if (kind != 'i' && kind != 'u')
+    throw py::type_error(name + ": integers, or a mask, not " + shown(array.dtype()));
   const auto append =
       [&]<class T>(const py::array_t<T, py::array::c_style | py::array::forcecast>& integers) {
         const T* const first = integers.data();

@@ -9,6 +9,7 @@
 #include <delone/types.hpp>
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -53,16 +54,20 @@ inline std::span<const double> numbers(const py::array_t<double>& array) {
 /// not finite.
 py::array_t<double> as_points(const py::object& object, const std::string& name);
 
+/// The same for points of this dimension, of which one may come as an array (d,).
+py::array_t<double> as_more_points(const py::object& object, int dimension, const std::string& name);
+
 /// Rows of the input: one, or a list.
 struct RowNumbers {
   std::vector<std::size_t> rows;
   bool is_single = false;
 };
 
-/// An integer, or an array of shape (m,) of integers of any type. Raises TypeError and ValueError for
-/// anything else, InputError for negative numbers. `list`: how messages about single rows begin, see
-/// place_in().
-RowNumbers as_rows(const py::object& object, const std::string& name, const std::string& list);
+/// An integer, an array of shape (m,) of integers of any type, or a mask: one bool for each of the rows, which
+/// `num_rows` counts. Raises TypeError and ValueError for anything else, InputError for negative numbers.
+/// `list`: how messages about single rows begin, see place_in().
+RowNumbers as_rows(const py::object& object, const std::string& name, const std::string& list,
+                   const std::function<std::size_t()>& num_rows);
 
 /// How messages of edits name a place in a list: "remove[2]", or "remove" if there is no other.
 std::string place_in(const std::string& list, std::size_t size, std::size_t place);

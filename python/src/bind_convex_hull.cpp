@@ -47,11 +47,8 @@ class HeldHull {
   }
 
   void add(const py::object& points, const py::object& progress) {
-    const auto rows = as_points(points, "points");
+    const auto rows = as_more_points(points, dimension(), "points");
     require_columns(points, columns_, "points");
-    if (rows.shape(1) != dimension())
-      throw py::value_error("points: an array of shape (n, " + std::to_string(dimension()) + "), not " +
-                            shown(rows.attr("shape")));
     guard_.change(progress, [&, x = numbers(rows)] {
       batches_.reserve(batches_.size() + 1);
       hull_.insert_range(x);

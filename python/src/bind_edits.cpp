@@ -31,9 +31,10 @@ using HeldDelaunay = HeldForm<Form::delaunay>;
 using HeldRegular = HeldForm<Form::regular>;
 using HeldFurthestSite = HeldForm<Form::furthest_site>;
 
-/// One weight for each of so many points or rows.
+/// One weight for each of so many points or rows; of one, a number may be its weight.
 py::array_t<double> as_weights(const py::object& object, py::ssize_t count, const std::string& name) {
   auto weights = as_doubles(object, name);
+  if (weights.ndim() == 0 && count == 1) weights = py::array_t<double>(weights.attr("reshape")(1));
   if (weights.ndim() != 1 || weights.shape(0) != count)
     throw py::value_error(name + ": an array of shape (" + std::to_string(count) + ",), not " +
                           shown(weights.attr("shape")));
@@ -42,12 +43,16 @@ py::array_t<double> as_weights(const py::object& object, py::ssize_t count, cons
 
 /// Points of the dimension and with the columns of the triangulation.
 py::array_t<double> as_more_points(const Held& held, const py::object& object, const std::string& name) {
-  auto points = as_points(object, name);
+  auto points = python::as_more_points(object, held.dimension(), name);
   require_columns(object, held.columns(), name);
-  if (points.shape(1) != held.dimension())
-    throw py::value_error(name + ": an array of shape (n, " + std::to_string(held.dimension()) + "), not " +
-                          shown(points.attr("shape")));
   return points;
+}
+
+/// Rows of the triangulation, see as_rows() of arrays.hpp.
+RowNumbers as_rows(const Held& held, const py::object& object, const std::string& name,
+                   const std::string& list) {
+  return python::as_rows(object, name, list,
+                         [&] { return count(held, [](const Triangulation& t) { return t.num_rows(); }); });
 }
 
 void add(Held& held, const py::object& points, const py::object& weights, const py::object& progress) {
@@ -101,7 +106,7 @@ void make(Held& held, const Edits& edits, const py::object& progress) {
 /// either begin with `of`.
 void put_moves(Edits& edits, const Held& held, const py::object& rows, const py::object& points,
                const std::string& of) {
-  RowNumbers numbers = as_rows(rows, of + "rows", "move");
+  RowNumbers numbers = as_rows(held, rows, of + "rows", "move");
   const std::string name = of + "points";
   const auto d = static_cast<py::ssize_t>(held.dimension());
   if (numbers.is_single) {
@@ -121,8 +126,9 @@ void put_moves(Edits& edits, const Held& held, const py::object& rows, const py:
 }
 
 /// The same for weights.
-void put_weights(Edits& edits, const py::object& rows, const py::object& weights, const std::string& of) {
-  RowNumbers numbers = as_rows(rows, of + "rows", "set_weights");
+void put_weights(Edits& edits, const Held& held, const py::object& rows, const py::object& weights,
+                 const std::string& of) {
+  RowNumbers numbers = as_rows(held, rows, of + "rows", "set_weights");
   const std::string name = of + "weights";
   if (numbers.is_single) {
     const auto weight = as_doubles(weights, name);
@@ -141,7 +147,7 @@ std::pair<py::object, py::object> as_pair(const py::object& object, const char* 
 }
 
 void remove(Held& held, const py::object& rows, const py::object& progress) {
-  make(held, {.remove = as_rows(rows, "rows", "remove").rows}, progress);
+  make(held, {.remove = as_rows(held, rows, "rows", "remove").rows}, progress);
 }
 
 void move(Held& held, const py::object& rows, const py::object& points, const py::object& progress) {
@@ -152,7 +158,7 @@ void move(Held& held, const py::object& rows, const py::object& points, const py
 
 void set_weights(Held& held, const py::object& rows, const py::object& weights, const py::object& progress) {
   Edits edits;
-  put_weights(edits, rows, weights, "");
+  put_weights(edits, held, rows, weights, "");
   make(held, edits, progress);
 }
 
@@ -169,20 +175,20 @@ void edit(Held& held, const py::object& insert, const py::object& insert_weights
   else if (held.form() == Form::regular && num_inserted > 0)
     throw py::value_error("insert_weights: an array of shape (" + std::to_string(num_inserted) +
                           ",), not None");
-  if (!remove.is_none()) edits.remove = as_rows(remove, "remove", "remove").rows;
+  if (!remove.is_none()) edits.remove = as_rows(held, remove, "remove", "remove").rows;
   if (!move.is_none()) {
     const auto [rows, points] = as_pair(move, "move: a pair (rows, points), or None");
     put_moves(edits, held, rows, points, "move: ");
   }
   if (!weights.is_none()) {
     const auto [rows, numbers] = as_pair(weights, "weights: a pair (rows, weights), or None");
-    put_weights(edits, rows, numbers, "weights: ");
+    put_weights(edits, held, rows, numbers, "weights: ");
   }
   make(held, edits, progress);
 }
 
 py::object has_row(const Held& held, const py::object& object) {
-  const RowNumbers rows = as_rows(object, "rows", "has_row");
+  const RowNumbers rows = as_rows(held, object, "rows", "has_row");
   py::array_t<bool> answers(static_cast<py::ssize_t>(rows.rows.size()));
   Supervisor supervisor;
   supervisor.run([&, out = answers.mutable_data()] {

@@ -44,7 +44,10 @@ class HeldIntersection {
     if (has_interior_) interior = as_doubles(interior_point, "interior_point");
     if (has_interior_ && (interior.ndim() != 1 || interior.shape(0) != dimension_))
       throw py::value_error("interior_point: an array of shape (" + std::to_string(dimension_) + ",), not " +
-                            shown(interior.attr("shape")));
+                            shown(interior.attr("shape")) +
+                            (interior.ndim() > 0 && interior.shape(0) == rows.shape(0)
+                                 ? "; A x <= b is one array of halfspaces, numpy.c_[A, -b]"
+                                 : ""));
     guard_.change(progress, [&, h = numbers(rows), p = numbers(interior)] {
       const Options options = arguments_.to_options();
       if (has_interior_)
@@ -68,11 +71,8 @@ class HeldIntersection {
   }
 
   void add(const py::object& halfspaces, const py::object& progress) {
-    const auto rows = as_rows(halfspaces);
+    const auto rows = as_more_points(halfspaces, dimension_ + 1, "halfspaces");
     require_columns(halfspaces, columns_, "halfspaces");
-    if (rows.shape(1) != dimension_ + 1)
-      throw py::value_error("halfspaces: " + std::to_string(rows.shape(1)) + " numbers per row, not " +
-                            std::to_string(dimension_ + 1));
     guard_.change(progress, [&, h = numbers(rows)] {
       intersection_->insert_range(h);
       data_.reset();

@@ -160,7 +160,8 @@ void bind_natural_neighbors(py::module_& module) {
   bound
       .def(py::init([](const py::object& points, const py::object& values, const std::string& outside,
                        const py::object& fill, bool smooth, const py::object& gradients, double tolerance) {
-             return std::make_unique<Held>(points, values, outside, fill, smooth, gradients, tolerance);
+             return std::make_unique<Held>(points, values, outside, fill, smooth || !gradients.is_none(),
+                                           gradients, tolerance);
            }),
            "points"_a, "values"_a, py::kw_only(), "outside"_a = "fill",
            "fill_value"_a = std::numeric_limits<double>::quiet_NaN(), "smooth"_a = false,

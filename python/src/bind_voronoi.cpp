@@ -5,6 +5,7 @@
 #include "docs_voronoi.hpp"
 #include "docstring.hpp"
 #include "html.hpp"
+#include "messages.hpp"
 #include "module.hpp"
 #include "saving.hpp"
 #include "triangulation.hpp"
@@ -12,6 +13,8 @@
 #include <delone/furthest_site.hpp>
 #include <delone/voronoi.hpp>
 
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -107,13 +110,31 @@ std::optional<Box> as_box(const py::object& object) {
              {numbers_of_both.begin() + static_cast<std::ptrdiff_t>(d), numbers_of_both.end()}};
 }
 
-py::array region_volumes(const HeldDiagram& held, const py::object& object) {
+/// That of the region of each row: 0 if it is hidden, NaN if it was removed.
+std::vector<double> at_points(const HeldDiagram& held, const std::vector<double>& of_regions) {
+  const std::span<const SignedIndex> regions = held.diagram().point_region();
+  const py::array points = held.points();
+  const auto* const coordinates = static_cast<const double*>(points.data());
+  std::vector<double> found(regions.size());
+  for (std::size_t row = 0; row < found.size(); ++row) {
+    const bool is_there = !std::isnan(coordinates[row * held.dimension()]);
+    found[row] = regions[row] >= 0 ? of_regions[static_cast<std::size_t>(regions[row])]
+                 : is_there        ? 0
+                                   : std::numeric_limits<double>::quiet_NaN();
+  }
+  return found;
+}
+
+py::array region_volumes(const HeldDiagram& held, const py::object& object, const std::string& at) {
+  if (at != "regions" && at != "points")
+    throw py::value_error("at: 'regions' or 'points', not " + in_quotes(at));
   const std::optional<Box> box = as_box(object);
   Supervisor supervisor;
-  return list_view(supervisor.run([&] {
+  std::vector<double> volumes = supervisor.run([&] {
     return box ? held.diagram().region_volumes(*box, {.threads = held.threads()})
                : held.diagram().region_volumes({.threads = held.threads()});
-  }));
+  });
+  return list_view(at == "points" ? at_points(held, volumes) : std::move(volumes));
 }
 
 std::string html_of_diagram(const HeldDiagram& held, const std::string& title,
@@ -265,7 +286,8 @@ void bind_voronoi(py::module_& module) {
              return to_python(supervisor.run([&] { return h.diagram().to_data(); }));
            })
       .def("_save", &save, "path"_a, "format"_a, "qhull"_a, "columns"_a, "box"_a)
-      .def("region_volumes", &region_volumes, "box"_a = py::none(), text(docs::voronoi::region_volumes))
+      .def("region_volumes", &region_volumes, "box"_a = py::none(), py::kw_only(), "at"_a = "regions",
+           text(docs::voronoi::region_volumes))
       .def(
           "ridge_volumes",
           [](const HeldDiagram& h) {
@@ -300,6 +322,8 @@ void bind_voronoi(py::module_& module) {
 
   py::class_<HeldPower, HeldDiagram>(module, "PowerDiagram", text(docs::voronoi::power))
       .def(py::init([](const py::object& points, const py::object& weights, double tolerance) {
+             if (weights.is_none() && !py::isinstance<HeldTriangulation>(points))
+               throw py::type_error("PowerDiagram() of points needs 'weights'; Voronoi is without");
              const py::object source = py::isinstance<HeldTriangulation>(points)
                                            ? points
                                            : py::module_::import("delone").attr("Regular")(points, weights);

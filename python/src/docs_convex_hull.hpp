@@ -92,8 +92,8 @@ Arrays that were taken before do not change.
 
 Parameters
 ----------
-points : (n, d) array_like or pandas.DataFrame
-    The points.
+points : (n, d) or (d,) array_like or pandas.DataFrame
+    The points, or one.
 progress : bool or callable, optional
     As for the constructor.
 

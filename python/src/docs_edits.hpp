@@ -15,7 +15,7 @@ and `compact_ids`. Arrays that were taken before do not change.
 
 Parameters
 ----------
-rows : int or array_like of int
+rows : int or array_like of int, or (num_rows,) array_like of bool
     The rows to remove.
 progress : bool or callable, optional
     As for the constructor.
@@ -46,7 +46,7 @@ Move rows: all of them, or none if it raises.
 
 Parameters
 ----------
-rows : int or (m,) array_like of int
+rows : int or (m,) array_like of int, or (num_rows,) array_like of bool
     The rows to move.
 points : (d,) or (m, d) array_like or pandas.DataFrame
     Their new coordinates.
@@ -72,7 +72,7 @@ Reweight rows: all of them, or none if it raises.
 
 Parameters
 ----------
-rows : int or (m,) array_like of int
+rows : int or (m,) array_like of int, or (num_rows,) array_like of bool
     The rows.
 weights : float or (m,) array_like
     Their new weights.
@@ -99,9 +99,9 @@ A row may appear at most once per list; a removed row must not appear in another
 
 Parameters
 ----------
-insert : (n, d) array_like or pandas.DataFrame, optional
+insert : (n, d) or (d,) array_like or pandas.DataFrame, optional
     Points to insert as the next rows.
-remove : int or array_like of int, optional
+remove : int or array_like of int, or (num_rows,) array_like of bool, optional
     Rows to remove.
 move : (rows, points), optional
     Rows to move and their new coordinates, as for `move`.
@@ -128,11 +128,11 @@ A row may appear at most once per list; a removed row must not appear in another
 
 Parameters
 ----------
-insert : (n, d) array_like or pandas.DataFrame, optional
+insert : (n, d) or (d,) array_like or pandas.DataFrame, optional
     Points to insert as the next rows.
 insert_weights : (n,) array_like, optional
     The weights of these points.
-remove : int or array_like of int, optional
+remove : int or array_like of int, or (num_rows,) array_like of bool, optional
     Rows to remove.
 move : (rows, points), optional
     Rows to move and their new coordinates, as for `move`.
@@ -233,7 +233,7 @@ Return whether rows exist.
 
 Parameters
 ----------
-rows : int or array_like of int
+rows : int or array_like of int, or (num_rows,) array_like of bool
     The rows.
 
 Returns
@@ -253,8 +253,8 @@ Arrays that were taken before do not change; cells have other numbers.
 
 Parameters
 ----------
-points : (n, d) array_like or pandas.DataFrame
-    The points.
+points : (n, d) or (d,) array_like or pandas.DataFrame
+    The points, or one.
 progress : bool or callable, optional
     As for the constructor.
 
@@ -282,10 +282,10 @@ Arrays that were taken before do not change; cells have other numbers.
 
 Parameters
 ----------
-points : (n, d) array_like or pandas.DataFrame
-    The points.
-weights : (n,) array_like
-    Their weights.
+points : (n, d) or (d,) array_like or pandas.DataFrame
+    The points, or one.
+weights : (n,) array_like or float
+    Their weights, or that of one.
 progress : bool or callable, optional
     As for the constructor.
 

@@ -55,8 +55,8 @@ Arrays that were taken before do not change.
 
 Parameters
 ----------
-halfspaces : (n, d+1) array_like or pandas.DataFrame
-    The halfspaces.
+halfspaces : (n, d+1) or (d+1,) array_like or pandas.DataFrame
+    The halfspaces, or one.
 progress : bool or callable, optional
     As for the constructor.
 

@@ -118,7 +118,7 @@ smooth : bool, default False
     False: continuous, exact for linear functions, and differentiable except at the points. True: Sibson's interpolant, which is
     differentiable at the points, too, with the gradients there.
 gradients : (n, ..., d) array_like, optional
-    The gradients at the points. By default least squares over the neighbors estimate them (n small triangulations).
+    The gradients at the points; with them the interpolant is smooth. By default least squares over the neighbors estimate them (n small triangulations).
 tolerance : float, default 0.0
     A distance >= 0. 0 is exact. Otherwise the value is that at the point x' of `Delaunay.find_simplex` within this distance of the
     query. See Notes.

@@ -78,10 +78,13 @@ Parameters
 ----------
 box : (low, high), optional
     Two arrays (d,) of finite numbers: the d-volume of the part in this box. By default the k-volume of the whole region.
+at : {'regions', 'points'}
+    Whether there is one volume for each region, or for each row, that of its region: rows that are equal share one, and hidden rows
+    have 0, removed rows NaN.
 
 Returns
 -------
-(regions,) ndarray of float64
+(regions,) or (n,) ndarray of float64
     The volumes; infinite for unbounded regions without a box. Rounded, with a relative error of about 1e-15 times the condition of
     the shape.
 

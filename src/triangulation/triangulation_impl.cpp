@@ -193,7 +193,7 @@ void Triangulation::Impl::forget_undo() {
 
 void Triangulation::Impl::undo() {
   require_idle();
-  if (!last_edit) throw Error(Errc::invalid_argument, "there is no edit that can be undone");
+  if (!last_edit) throw Error(Errc::invalid_argument, "there is nothing to undo; only edits after record_undo() are taken back");
   Changes made;
   if (recording.changes) {
     made = construction::Construction::changes_since(*state, *last_edit);

@@ -408,8 +408,10 @@ def test_what_is_refused_changes_nothing(kind):
         (delone.InputError, "^move: points: row 0, column 2: nan is not finite", lambda: t.edit(move=([1], [[0, 0, np.nan]]))),
         (delone.InputError, "^insert: row 0, column 0: inf is not finite", lambda: t.edit(insert=[[np.inf, 0, 0]], remove=1)),
         (ValueError, r"\(3,\), not \(2,\)", lambda: t.move(1, [0, 1])), (ValueError, r"\(2, 3\), not \(1, 3\)", lambda: t.move([1, 2], [point])),
-        (ValueError, r"\(m,\), not \(1, 1\)", lambda: t.remove([[1]])), (TypeError, "rows: integers, not float64", lambda: t.remove([1.0])),
-        (TypeError, "rows: integers, not bool", lambda: t.remove(np.ones(30, bool))), (TypeError, "rows: integers, not object", lambda: t.remove(None)),
+        (ValueError, r"\(m,\), not \(1, 1\)", lambda: t.remove([[1]])), (TypeError, "rows: integers, or a mask, not float64", lambda: t.remove([1.0])),
+        (ValueError, r"rows: a mask of shape \(30,\), not \(29,\)", lambda: t.remove(np.ones(29, bool))), (TypeError, "not bool", lambda: t.remove(True)),
+        (delone.InputError, r"^remove\[4\]: row 4 was removed", lambda: t.remove(np.arange(30) < 5)),
+        (TypeError, "rows: integers, or a mask, not object", lambda: t.remove(None)),
         (TypeError, "rows: an array, not a str", lambda: t.remove("all")), (TypeError, "a pair", lambda: t.edit(move=[1, 2, 3])),
         (TypeError, "progress", lambda: t.remove(1, progress=3)), (delone.InputError, r"^has_row\[1\]: row 31 is not a row", lambda: t.has_row([1, 31])),
     ]
@@ -433,6 +435,62 @@ def test_what_is_refused_changes_nothing(kind):
     t.undo()
     history.there[:] = True
     history.check()
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_masks_are_rows(kind):
+    random = np.random.default_rng(1)
+    points, weights = random.random((40, 3)), random.random(40) * 0.01
+    a, b = make(kind, points, weights), make(kind, points, weights)
+    masks = [random.random(40) < 0.2 for _ in range(3)]
+    masks[1] &= ~masks[0]
+    rows = [np.flatnonzero(mask) for mask in masks]
+    to = random.random((len(rows[1]), 3))
+    a.remove(masks[0]), b.remove(rows[0])
+    a.move(masks[1].tolist(), to), b.move(rows[1], to)
+    assert_same(arrays(a), arrays(b))
+    a.insert_range(points[masks[0]], *([weights[masks[0]]] if kind is delone.Regular else []))
+    assert a.has_row(np.append(masks[2], np.zeros(len(rows[0]), bool))).tolist() == b.has_row(rows[2]).tolist()
+    c, d = make(kind, points, weights), make(kind, points, weights)
+    c.edit(remove=masks[0], move=(masks[1], to)), d.edit(remove=rows[0], move=(rows[1], to))
+    if kind is delone.Regular:
+        c.set_weights(masks[1], weights[masks[1]] + 0.1), d.set_weights(rows[1], weights[rows[1]] + 0.1)
+    assert_same(arrays(c), arrays(d))
+    e = make(kind, points, weights)
+    e.remove(np.zeros(40, bool))
+    assert e.num_points == 40
+    e.remove(np.ones(40, bool))
+    assert e.num_points == 0
+
+
+def test_one_point_is_inserted_as_one_row():
+    points = np.random.default_rng(2).random((20, 3))
+    for kind in KINDS:
+        a, b = make(kind, points, np.zeros(20)), make(kind, points, np.zeros(20))
+        weight = ([0.5], [[0.5]]) if kind is delone.Regular else ([], [])
+        a.insert_range([2.0, 2.0, 2.0], *weight[0]), b.insert_range([[2.0, 2.0, 2.0]], *weight[1])
+        assert_same(arrays(a), arrays(b))
+        if kind is not delone.Regular:
+            a.edit(insert=[3.0, 2.0, 2.0]), b.edit(insert=[[3.0, 2.0, 2.0]])
+            assert_same(arrays(a), arrays(b))
+        for wrong in ([1.0, 2.0], [1.0, 2.0, 3.0, 4.0], 3.0):
+            with pytest.raises(ValueError, match="^points: an array of shape"):
+                a.insert_range(wrong, *weight[0])
+        with pytest.raises(delone.InputError, match="^points: row 0, column 1: nan"):
+            a.insert_range([0, np.nan, 0], *weight[0])
+    hull = delone.ConvexHull(points)
+    hull.insert_range([2, 2, 2])
+    assert hull.hash == delone.ConvexHull([*points, [2, 2, 2]]).hash
+    halfspaces = delone.HalfspaceIntersection([[1, 0, -1], [-1, 0, 0], [0, 1, -1], [0, -1, 0]])
+    halfspaces.insert_range([1, 1, -1.5])
+    assert halfspaces.num_halfspaces == 5 and halfspaces.volume == 0.875
+
+
+def test_undo_without_a_record_names_it():
+    t = delone.Delaunay([[0, 0], [1, 0], [0, 1]])
+    t.remove(0)
+    with pytest.raises(delone.InputError, match="nothing to undo; only edits after record_undo"):
+        t.undo()
 
 
 def test_edits_of_nothing():

@@ -118,6 +118,7 @@ def test_adding_halfspaces(given_point):
     ((cube(2), [5, 0]), delone.InputError, "interior"),
     ((cube(2), [1, 0]), delone.InputError, "interior"),
     ((cube(2), [1, 0, 0]), ValueError, r"interior_point: an array of shape \(2,\), not \(3,\)"),
+    ((cube(2)[:, :-1], -cube(2)[:, -1]), ValueError, r"A x <= b is one array of halfspaces, numpy.c_\[A, -b\]"),
     (([[1.0], [2.0]],), ValueError, r"halfspaces: an array of shape \(m, d\+1\)"),
     (([1.0, 2.0],), ValueError, "halfspaces: an array of shape"),
     (([[1, 0, np.nan]],), delone.InputError, "row 0|point 0|halfspace 0|finite"),
@@ -125,6 +126,11 @@ def test_adding_halfspaces(given_point):
 def test_errors(arguments, error, message):
     with pytest.raises(error, match=message):
         delone.HalfspaceIntersection(*arguments)
+
+
+def test_names_of_other_programs_say_how_rows_are_made():
+    with pytest.raises(TypeError, match=r"no argument 'b'; A x <= b is one array of halfspaces, numpy.c_\[A, -b\]"):
+        delone.HalfspaceIntersection(cube(2)[:, :-1], b=-cube(2)[:, -1])
 
 
 @pytest.mark.parametrize("d, n", [(3, 1000), (4, 300)])

@@ -80,6 +80,17 @@ def test_smooth_is_exact_for_spherical_quadratics():
     assert np.allclose(function.gradient(queries), [1, 2, 3] + 10 * queries, atol=1e-7)
 
 
+def test_gradients_make_it_smooth():
+    random = np.random.default_rng(4)
+    points, queries = random.random((40, 2)), random.random((20, 2)) * 0.5 + 0.25
+    values, gradients = (points**2).sum(axis=1), 2 * points
+    given, smooth = delone.NaturalNeighborInterpolator(points, values, gradients=gradients), delone.NaturalNeighborInterpolator(
+        points, values, gradients=gradients, smooth=True)
+    np.testing.assert_array_equal(given(queries), smooth(queries))
+    assert given.smooth and pickle.loads(pickle.dumps(given)).smooth
+    assert not delone.NaturalNeighborInterpolator(points, values).smooth
+
+
 def test_outside():
     points, values = [[0, 0], [4, 0], [0, 4]], [1.0, 2, 3]
     assert np.isnan(delone.NaturalNeighborInterpolator(points, values)([5, 5]))

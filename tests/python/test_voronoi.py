@@ -72,6 +72,22 @@ def test_square():
     assert [x.tolist() for x in v.bounding_box(0.5)] == [[-1, -1], [3, 3]]
 
 
+def test_volumes_by_point():
+    box = ([0, 0], [2, 2])
+    t = delone.Delaunay([[0, 0], [2, 0], [0, 2], [2, 2], [1, 1], [1, 1]])
+    v = delone.Voronoi(t)
+    np.testing.assert_allclose(v.region_volumes(box, at="points"), [0.5, 0.5, 0.5, 0.5, 2, 2], rtol=1e-15)
+    np.testing.assert_allclose(v.region_volumes(at="points"), [np.inf] * 4 + [2, 2], rtol=1e-15)
+    np.testing.assert_array_equal(v.region_volumes(box, at="regions"), v.region_volumes(box))
+    t.remove([0, 4])
+    volumes = delone.Voronoi(t).region_volumes(box, at="points")
+    assert np.isnan(volumes[[0, 4]]).all() and volumes[5] > 0 and np.isclose(np.nansum(volumes), 4)
+    r = delone.Regular([[0, 0], [1, 0], [0, 1], [1, 1], [0.5, 0.5]], [0, 0, 0, 0, -5])
+    assert delone.PowerDiagram(r).region_volumes(([0, 0], [1, 1]), at="points").tolist() == [0.25] * 4 + [0]
+    with pytest.raises(ValueError, match="at: 'regions' or 'points', not 'cells'"):
+        v.region_volumes(at="cells")
+
+
 def test_flat_input():
     v = delone.Voronoi([[0, 0, 3], [2, 0, 3], [6, 0, 3]])
     assert v.affine_dimension == 1 and sorted(v.vertices.tolist()) == [[1, 0, 3], [4, 0, 3]]
@@ -121,6 +137,8 @@ def test_triangulations_of_another_kind():
         delone.Voronoi(delone.Regular([[0.0, 0.0]], [0.0]))
     with pytest.raises(TypeError, match="Regular"):
         delone.PowerDiagram(delone.Delaunay([[0.0, 0.0]]))
+    with pytest.raises(TypeError, match="needs 'weights'; Voronoi is without"):
+        delone.PowerDiagram([[0.0, 0.0], [1.0, 0.0]])
 
 
 @QUICK
