@@ -39,6 +39,7 @@ Members DiagramObject::members_of_data() {
       member<Object>("num_rays", [](const Object& o) { return o.data().num_rays(); }),
       member<Object>("tolerance", [](const Object& o) { return o.data().tolerance; }),
       member<Object>("points", [](const Object& o) { return table(o.data().points, o.data().dimension); }),
+      list_of<&Data::axis_tolerances>("axis_tolerances"),
       list_of<&Data::weights>("weights"),
       member<Object>("vertices",
                      [](const Object& o) { return table(o.data().vertices, o.data().dimension); }),
@@ -101,7 +102,8 @@ int delone_voronoi(const delone_object* triangulation, const delone_options* opt
                    delone_object** object) {
   return make(object, [&] {
     const MadeTriangulation& of = as_made(triangulation);
-    const DiagramOptions wanted{.tolerance = given(options).tolerance};
+    const DiagramOptions wanted{.tolerance = given(options).tolerance,
+                                .axis_tolerances = given(options).axis_tolerances};
     const Execution how = execution(options);
     const AnyTriangulation& any = of.product()->any;
     if (const auto* const delaunay = std::get_if<Delaunay<>>(&any))

@@ -37,6 +37,7 @@ Members HullObject::members_of_data() {
       member<Object>("num_ridges", [](const Object& o) { return o.data().num_ridges(); }),
       member<Object>("tolerance", [](const Object& o) { return o.data().tolerance; }),
       member<Object>("max_distance", [](const Object& o) { return o.data().max_distance; }),
+      member<Object>("axis_tolerances", [](const Object& o) { return list(o.data().axis_tolerances); }),
       member<Object>("points", [](const Object& o) { return table(o.points(), o.data().dimension); }),
       member<Object>("cells",
                      [](const Object& o) { return table(o.data().cells, o.data().affine_dimension); }),
@@ -120,8 +121,10 @@ using namespace delone::c;
 int delone_convex_hull(const double* points, std::size_t num_points, int dimension,
                        const delone_options* options, delone_object** object) {
   return make(object, [&] {
+    Options how = with_tolerance(options);
+    how.axis_tolerances = given(options).axis_tolerances;
     return std::make_unique<MadeHull>(
-        ConvexHull<>(view_of(points, num_points, dimension, "points"), dimension, with_tolerance(options)));
+        ConvexHull<>(view_of(points, num_points, dimension, "points"), dimension, how));
   });
 }
 

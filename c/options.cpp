@@ -127,6 +127,14 @@ constexpr std::array texts{
     Setter<const char*>{"weights", [](delone_options& o, const char* v) { o.tiles.weights = v; }},
 };
 
+constexpr std::array lists{
+    Setter<std::span<const double>>{"axis_tolerances",
+                                    [](delone_options& o, std::span<const double> v) {
+                                      for (const double each : v) finite_from_0("axis_tolerances", each);
+                                      o.axis_tolerances.assign(v.begin(), v.end());
+                                    }},
+};
+
 template <class Value>
 const Setter<Value>* find(std::span<const Setter<Value>> setters, std::string_view name) {
   for (const Setter<Value>& setter : setters)
@@ -215,6 +223,13 @@ int delone_set_real(delone_options* options, const char* name, double value) {
   return run([&] {
     delone_options& to = required(options, "the options");
     require_setter<double>(reals, name, "real").set(to, value);
+  });
+}
+
+int delone_set_reals(delone_options* options, const char* name, const double* values, size_t count) {
+  return run([&] {
+    delone_options& to = required(options, "the options");
+    require_setter<std::span<const double>>(lists, name, "array").set(to, matrix(values, count, 1, "values"));
   });
 }
 

@@ -18,6 +18,7 @@
 struct delone_options {
   unsigned threads = 1;
   double tolerance = 0;
+  std::vector<double> axis_tolerances;
   delone::Options build;  // seed and order
   delone::Outside outside = delone::Outside::fill;
   double fill = std::numeric_limits<double>::quiet_NaN();

@@ -65,7 +65,7 @@ std::string page_of(const VoronoiData& data, HtmlOptions html, const ViewOptions
   html.column_names = data.column_names;
   ProgressBar bar(options.build.quiet);
   const StageGuard guard(Stage::building);
-  const DiagramOptions wanted{.tolerance = data.tolerance};
+  const DiagramOptions wanted{.tolerance = data.tolerance, .axis_tolerances = data.axis_tolerances};
   const Execution how{.threads = options.build.threads};
   const Options build = options.build.to_options(bar);
   if (data.kind == DataKind::furthest_voronoi)

@@ -66,11 +66,15 @@ class DELONE_EXPORT ConvexHullBase {
   std::span<const double> point(std::size_t row) const;  ///< the d coordinates of a row
   std::vector<int> axes() const;                         ///< as Triangulation::axes()
 
-  /// Options::tolerance; 0 for an exact hull.
+  /// Options::tolerance; 0 for an exact hull. With axis_tolerances the largest that is used.
   double tolerance() const;
-  /// No point is farther than this from the hull: a bound, rounded up, that is at most the tolerance. After
-  /// insert_extreme_points() the first call may compute an exact hull of the rows, and data().max_distance is
-  /// the tolerance.
+  /// No point is farther outside along an axis than this; d numbers. With Options::axis_tolerances those that
+  /// are used, lowered as said below; otherwise all are tolerance().
+  std::vector<double> axis_tolerances() const;
+  /// No point is farther than this from the hull: a bound, rounded up, that is at most the tolerance. With
+  /// axis_tolerances where axes are scaled as said below; so it is a distance along the axis of the largest.
+  /// After insert_extreme_points() the first call may compute an exact hull of the rows, and
+  /// data().max_distance is the tolerance.
   double max_distance() const;
 
   /// The hull as arrays, without `points`; valid until the next insertion. Computed on first use after a
@@ -159,6 +163,12 @@ class DELONE_EXPORT ConvexHullBase {
 /// vertices' hull in space. Queries within ε of the flat count as lying in it. Not every set within ε of some
 /// hyperplane is flat in this sense.
 ///
+/// With Options::axis_tolerances each axis has a tolerance t_j of its own. Axes are first multiplied by
+/// powers of two, at least 1, for which the tolerances agree but for a factor below 2, and are lowered to the
+/// least of them, ε. Distances are those after that, so no point is farther outside along axis j than t_j;
+/// and a column that is multiplied by a power of two, with its tolerance, has the same hull. All of the above
+/// holds with these distances, also what it says of facets and flats.
+///
 /// After insert() the vertices are chosen again by the next query, at a cost that depends on all extreme
 /// points; insert_range() chooses them at once. A tolerance larger than the extent of all points along every
 /// axis is Errc::invalid_argument, unless all points are equal.
@@ -173,8 +183,8 @@ class ConvexHull : public ConvexHullBase {
   using Coordinates =
       std::span<const double, D == dynamic ? std::dynamic_extent : static_cast<std::size_t>(D)>;
 
-  /// The hull of no points. Throws Errc::bad_dimension unless dimension ≥ 1, and invalid_argument for a
-  /// tolerance or time limit that is negative or not finite.
+  /// The hull of no points. Throws Errc::bad_dimension unless dimension ≥ 1, and invalid_argument for
+  /// tolerances, see Options, or a time limit that is negative or not finite.
   explicit ConvexHull(int dimension, const Options& options = {}) requires(D == dynamic)
       : ConvexHullBase(dimension, options) {}
   explicit ConvexHull(const Options& options = {}) requires(D != dynamic) : ConvexHullBase(D, options) {}

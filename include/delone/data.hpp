@@ -120,6 +120,8 @@ struct DELONE_EXPORT_TYPE HullData {
   std::vector<int> axes;    ///< k coordinates on which the flat projects one-to-one, increasing
   double tolerance = 0;     ///< 0: the hull is exact, otherwise see ConvexHullBase::tolerance()
   double max_distance = 0;  ///< no point is farther outside of the hull than this
+  /// d, see ConvexHullBase::axis_tolerances(); empty if all are `tolerance`
+  std::vector<double> axis_tolerances{};
   std::vector<std::string> column_names{};  ///< d, what the coordinates are called; empty: unknown
 
   std::size_t num_points() const { return vertex_of_point.size(); }
@@ -227,6 +229,7 @@ struct DELONE_EXPORT_TYPE VoronoiData {
   std::vector<SignedIndex> ray_vertices, ray_points;
   std::vector<double> ray_directions;
   double tolerance = 0;                     ///< what the diagram was made with
+  std::vector<double> axis_tolerances{};    ///< d, see Diagram; empty if all are `tolerance`
   std::vector<std::string> column_names{};  ///< d, what the coordinates are called; empty: unknown
   DataKind kind = DataKind::unknown;        ///< what they are; unknown: a power diagram if there are weights
 

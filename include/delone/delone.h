@@ -108,6 +108,8 @@ DELONE_C_API void delone_set_progress(delone_progress progress, void* user_data)
  *                               use, OUT_OF_MEMORY beyond; 0: no limit
  *   real     time_limit 0       of the same: the most seconds to build one, TIME_LIMIT beyond; 0: none
  *   real     tolerance 0        of hulls, diagrams and queries: a distance >= 0; 0 is exact
+ *   reals    axis_tolerances    of hulls and diagrams: one for each axis, in place of tolerance; count 0
+ *                               (the default) removes them
  *   text     outside "fill"     of queries outside the convex hull: also "nearest", "error", "project"
  *   real     fill NaN           the value of interpolations there, for "fill"
  *   integer  up_to 0            of checks: the highest level to examine; 0: all
@@ -137,6 +139,8 @@ DELONE_C_API void delone_options_free(delone_options* options); /* NULL: no effe
  * copied. delone_set_integer() may set a real option. */
 DELONE_C_API int delone_set_integer(delone_options* options, const char* name, int64_t value);
 DELONE_C_API int delone_set_real(delone_options* options, const char* name, double value);
+DELONE_C_API int delone_set_reals(delone_options* options, const char* name, const double* values,
+                                  size_t count);
 DELONE_C_API int delone_set_text(delone_options* options, const char* name, const char* value);
 
 /* ---- Objects and their members ------------------------------------------------------------------------- */
@@ -166,7 +170,8 @@ DELONE_C_API int delone_set_text(delone_options* options, const char* name, cons
  *   array    points+ n x d; cells+ m x k rows; neighbors+ m x k; facet_of_cell+ m; facet_offsets+,
  *            facet_vertices+; ridge_facets+ r x 2; ridge_offsets+, ridge_vertices+; equations+ f x (d+1);
  *            equation_errors+ f; vertices+: the extreme rows; vertex_of_point+ n; point_kinds+ n (uint8):
- *            0 extreme, 1 boundary, 2 interior, 3 duplicate; axes+ k (int32); f_vector k (int64)
+ *            0 extreme, 1 boundary, 2 interior, 3 duplicate; axes+ k (int32); f_vector k (int64);
+ *            axis_tolerances+ d, if they differ
  *
  * "convex_hulls"
  *   integer  dimension num_hulls
@@ -199,7 +204,7 @@ DELONE_C_API int delone_set_text(delone_options* options, const char* name, cons
  *   array    points+ n x d; weights+ n (power); vertices+ v x d; ridge_points+ r x 2 rows;
  *            ridge_offsets+ (int64), ridge_vertices+; region_offsets+ (int64), region_vertices+;
  *            point_region+ n; ray_vertices+ u; ray_directions+ u x d; ray_points+ u x k; region_points:
- *            the row of each region; region_volumes; ridge_volumes
+ *            the row of each region; region_volumes; ridge_volumes; axis_tolerances+ d, if they differ
  *
  * "points" (read)       integer dimension num_points; array points n x d
  * "interpolator"        integer dimension columns
@@ -272,7 +277,7 @@ DELONE_C_API int delone_regular(const double* points, const double* weights, siz
 
 /* The convex hull of n points of R^d. Options: those above, and tolerance: no point is farther than that from
  * the hull. Errors as above, INVALID_ARGUMENT for a tolerance that is negative, not finite, or larger than
- * the set. */
+ * the set. Or axis_tolerances: no point is farther outside along an axis than the number of that axis. */
 DELONE_C_API int delone_convex_hull(const double* points, size_t num_points, int dimension,
                                     const delone_options* options, delone_object** object);
 
@@ -299,8 +304,8 @@ DELONE_C_API int delone_halfspace_intersection(const double* halfspaces, size_t 
 
 /* The diagram of a triangulation: "voronoi" of a "delaunay", "power_diagram" of a "regular",
  * "furthest_voronoi" of a "furthest_site" one, whose ray_directions point inward. It owns its data.
- * Options: threads, tolerance: smaller vertices and ridges are left out. Errors: INVALID_ARGUMENT,
- * OUT_OF_MEMORY, CANCELLED. */
+ * Options: threads, tolerance or axis_tolerances: smaller vertices and ridges are left out. Errors:
+ * INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
 DELONE_C_API int delone_voronoi(const delone_object* triangulation, const delone_options* options,
                                 delone_object** object);
 

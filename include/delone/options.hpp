@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 namespace delone {
 
@@ -38,6 +39,9 @@ struct Options {
   /// exact. Must be finite and ≥ 0, and 0 for triangulations and halfspaces; otherwise
   /// Errc::invalid_argument.
   double tolerance = 0;
+  /// For ConvexHull only, see there: a tolerance for each axis, in place of `tolerance`. As many as there are
+  /// axes, all 0 or none; otherwise Errc::invalid_argument.
+  std::vector<double> axis_tolerances = {};
 };
 
 /// What a construction has cost so far, all insertions together.

@@ -56,6 +56,8 @@ struct DiagramOptions {
   DiagramParts parts = DiagramParts::all;
   /// ε ≥ 0, a distance: smaller details are left out of the diagram, see Diagram. 0: the exact diagram.
   double tolerance = 0;
+  /// A tolerance for each axis, in place of `tolerance`; see Diagram.
+  std::vector<double> axis_tolerances = {};
 };
 
 /// A diagram of sites in R^d: for each site (distinct point) the region of the points of the flat that are
@@ -96,14 +98,19 @@ struct DiagramOptions {
 /// region (k = 2) or ridge (k = 3) may have lost the ridge between them if merging them would have moved a
 /// vertex too far. Volumes and clipped regions are those of the exact regions, so volumes add up as before.
 ///
+/// With DiagramOptions::axis_tolerances each axis has a tolerance t_j of its own. Axes are first multiplied
+/// by powers of two, at least 1, for which the tolerances agree but for a factor below 2, and are lowered to
+/// the least of them, ε. All distances above are those after that, so no vertex moves further along axis j
+/// than t_j.
+///
 /// Functions that take the number of a vertex, ridge or region REQUIRE that there is one; a hardened build
 /// (DELONE_HARDENED) checks this and throws Errc::invalid_argument.
 ///
 /// Cost: one solve of k equations per cell, and the size of the output; a tolerance adds a pass over the
 /// ridges, and keeps the exact diagram in memory if it changed anything. Constructors throw
 /// Errc::invalid_argument (a tolerance that is negative or not finite, or larger than the longest side of the
-/// bounding box of two sites or more), cancelled, out_of_memory. Arrays and volumes do not depend on the
-/// number of threads, to the last bit.
+/// bounding box of two sites or more; tolerances of axes that are not d numbers, all 0 or none), cancelled,
+/// out_of_memory. Arrays and volumes do not depend on the number of threads, to the last bit.
 class DELONE_EXPORT Diagram {
  public:
   DataKind kind() const { return kind_; }                     ///< voronoi, power_diagram, furthest_voronoi
@@ -164,10 +171,13 @@ class DELONE_EXPORT Diagram {
     return weights_.empty() ? 0 : weights_[region];
   }
 
-  /// ε, the tolerance it was made with.
+  /// ε, the tolerance it was made with; the largest that is used if axes have their own.
   double tolerance() const { return tolerance_; }
+  /// The tolerances of the axes that are used; empty if all are tolerance().
+  std::span<const double> axis_tolerances() const { return axis_tolerances_; }
   /// A bound, rounded up, on the distance of an exact vertex from the one that replaced it, and of a vertex
-  /// removed from straight edges from these edges; at most ε. 0 if nothing was merged.
+  /// removed from straight edges from these edges; at most ε. 0 if nothing was merged. Axes are scaled as
+  /// said above.
   double max_displacement() const { return max_displacement_; }
 
   /// A plain copy, with the points of all input rows: the data of files. Throws Errc::invalid_argument
@@ -252,6 +262,7 @@ class DELONE_EXPORT Diagram {
   // are made of.
   std::vector<SignedIndex> cell_regions_, cell_vertex_;
   double tolerance_ = 0, max_displacement_ = 0;
+  std::vector<double> axis_tolerances_;
   // The diagram before it was simplified, and the number there of each ridge; null if nothing changed.
   std::shared_ptr<const Diagram> exact_;
   std::vector<Index> ridge_of_exact_;

@@ -268,6 +268,33 @@ std::string place_in(const std::string& list, std::size_t size, std::size_t plac
   return size == 1 ? list : list + "[" + std::to_string(place) + "]";
 }
 
+Tolerances as_tolerances(const py::object& object, int dimension) {
+  Tolerances result;
+  const bool is_list = !py::isinstance<py::str>(object) && !py::isinstance<py::bytes>(object) &&
+                       (py::isinstance<py::sequence>(object) || py::hasattr(object, "__array__"));
+  const auto array = is_list ? as_doubles(object, "tolerance") : py::array_t<double>(0);
+  if (is_list && array.ndim() > 0) {
+    if (array.ndim() != 1 || array.shape(0) != dimension)
+      throw py::value_error("tolerance: a number, or one for each of the " + std::to_string(dimension) +
+                            " axes, not an array of shape " + shown(array.attr("shape")));
+    const auto all = numbers(array);
+    result.of_axes.assign(all.begin(), all.end());
+    return result;
+  }
+  result.tolerance = PyFloat_AsDouble(object.ptr());
+  if (PyErr_Occurred() != nullptr) {
+    PyErr_Clear();
+    throw py::type_error("tolerance: a number was expected, not " + shown(object));
+  }
+  return result;
+}
+
+py::object as_argument(double tolerance, std::span<const double> of_axes) {
+  if (std::ranges::adjacent_find(of_axes, std::ranges::not_equal_to()) == of_axes.end())
+    return py::float_(tolerance);
+  return py::tuple(py::cast(std::vector<double>(of_axes.begin(), of_axes.end())));
+}
+
 RowNumbers as_rows(const py::object& object, const std::string& name, const std::string& list,
                    const std::function<std::size_t()>& num_rows) {
   refuse_masked(object, name);

@@ -57,6 +57,19 @@ py::array_t<double> as_points(const py::object& object, const std::string& name)
 /// The same for points of this dimension, of which one may come as an array (d,).
 py::array_t<double> as_more_points(const py::object& object, int dimension, const std::string& name);
 
+/// A tolerance, or one for each axis in its place, as Options have them.
+struct Tolerances {
+  double tolerance = 0;
+  std::vector<double> of_axes;
+};
+
+/// A number, or an array of `dimension` numbers. Raises TypeError for anything else, ValueError for another
+/// shape.
+Tolerances as_tolerances(const py::object& object, int dimension);
+
+/// The same as an argument: a number if those of the axes are equal, or none; else a tuple of numbers.
+py::object as_argument(double tolerance, std::span<const double> of_axes);
+
 /// Rows of the input: one, or a list.
 struct RowNumbers {
   std::vector<std::size_t> rows;

@@ -28,7 +28,7 @@ using namespace py::literals;
 /// A hull and its arrays.
 class HeldHull {
  public:
-  HeldHull(int dimension, const BuildArguments& arguments, double tolerance)
+  HeldHull(int dimension, const BuildArguments& arguments, const Tolerances& tolerance)
       : arguments_(arguments), hull_(dimension, with_tolerance(arguments.to_options(), tolerance)) {}
 
   int dimension() const { return hull_.dimension(); }
@@ -81,8 +81,9 @@ class HeldHull {
   }
 
  private:
-  static Options with_tolerance(Options options, double tolerance) {
-    options.tolerance = tolerance;
+  static Options with_tolerance(Options options, const Tolerances& tolerance) {
+    options.tolerance = tolerance.tolerance;
+    options.axis_tolerances = tolerance.of_axes;
     return options;
   }
 
@@ -95,7 +96,7 @@ class HeldHull {
   mutable std::shared_ptr<const HullData> data_;
 };
 
-std::unique_ptr<HeldHull> construct(const py::object& points, double tolerance, std::uint64_t seed,
+std::unique_ptr<HeldHull> construct(const py::object& points, const py::object& tolerance, std::uint64_t seed,
                                     std::string order, int threads, const py::object& progress,
                                     const py::object& memory_limit, const py::object& time_limit) {
   const auto rows = as_points(points, "points");
@@ -103,22 +104,22 @@ std::unique_ptr<HeldHull> construct(const py::object& points, double tolerance, 
       std::make_unique<HeldHull>(static_cast<int>(rows.shape(1)),
                                  BuildArguments{seed, std::move(order), threads,
                                                 as_memory_limit(memory_limit), as_time_limit(time_limit)},
-                                 tolerance);
+                                 as_tolerances(tolerance, static_cast<int>(rows.shape(1))));
   held->add(rows, progress);
   held->set_columns(columns_of(points));
   held->set_row_index(index_of(points));
   return held;
 }
 
-py::tuple of_extreme_points(const py::object& points, double tolerance, std::uint64_t seed, std::string order,
-                            int threads, const py::object& progress, const py::object& memory_limit,
-                            const py::object& time_limit) {
+py::tuple of_extreme_points(const py::object& points, const py::object& tolerance, std::uint64_t seed,
+                            std::string order, int threads, const py::object& progress,
+                            const py::object& memory_limit, const py::object& time_limit) {
   const auto rows = as_points(points, "points");
   auto held =
       std::make_unique<HeldHull>(static_cast<int>(rows.shape(1)),
                                  BuildArguments{seed, std::move(order), threads,
                                                 as_memory_limit(memory_limit), as_time_limit(time_limit)},
-                                 tolerance);
+                                 as_tolerances(tolerance, static_cast<int>(rows.shape(1))));
   py::array which = list_view(held->add_extreme(rows, progress));
   held->set_columns(columns_of(points));
   if (const py::object index = index_of(points); !index.is_none()) held->set_row_index(index[which]);
@@ -246,7 +247,9 @@ py::tuple sample(const HeldHull& held, std::size_t limit) {
 
 py::tuple state_of_hull(const HeldHull& held) {
   const BuildArguments& a = held.arguments();
-  const double tolerance = held.ask([](const ConvexHullBase& hull) { return hull.tolerance(); });
+  const auto of_axes = held.ask([](const ConvexHullBase& hull) { return hull.axis_tolerances(); });
+  const py::object tolerance =
+      as_argument(held.ask([](const ConvexHullBase& hull) { return hull.tolerance(); }), of_axes);
   for (;;) {
     const std::vector<std::size_t> batches = held.batches();
     const py::array rows = points(held);
@@ -263,7 +266,7 @@ std::unique_ptr<HeldHull> restored_hull(const py::tuple& given) {
     auto held = std::make_unique<HeldHull>(
         state[0].cast<int>(),
         BuildArguments{state[3].cast<std::uint64_t>(), state[4].cast<std::string>(), state[5].cast<int>()},
-        state[6].cast<double>());
+        as_tolerances(state[6], state[0].cast<int>()));
     add_batches(state[2], points.shape(0),
                 [&](const py::slice& rows) { held->add(points[rows], py::none()); });
     held->set_columns(as_columns(state[7], held->dimension()));
@@ -296,10 +299,18 @@ void bind_convex_hull(py::module_& module) {
                              "The dimension k <= d of the smallest flat that contains all points; 0 for one "
                              "distinct point, -1 for none.")
       .def_property_readonly("tolerance", asking([](const ConvexHullBase& h) { return h.tolerance(); }),
-                             "The tolerance of the constructor; 0.0: the hull is exact.")
+                             "The tolerance of the constructor, the largest one of those of the axes; 0.0: "
+                             "the hull is exact.")
       .def_property_readonly(
-          "max_distance", asking([](const ConvexHullBase& h) { return h.max_distance(); }),
-          "A bound, rounded up, on the distance of points outside the hull; at most `tolerance`.")
+          "axis_tolerances",
+          [](const HeldHull& h) {
+            return list_view(h.ask([](const ConvexHullBase& p) { return p.axis_tolerances(); }));
+          },
+          text(docs::convex_hull::axis_tolerances))
+      .def_property_readonly("max_distance", asking([](const ConvexHullBase& h) { return h.max_distance(); }),
+                             "A bound, rounded up, on the distance of points outside the hull; at most "
+                             "`tolerance`. If axes have "
+                             "tolerances of their own, as along the axis of the largest.")
       .def_property_readonly(
           "axes",
           [](const HeldHull& h) {

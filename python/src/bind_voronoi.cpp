@@ -27,12 +27,14 @@ using namespace py::literals;
 /// A diagram and the points that it belongs to.
 class HeldDiagram {
  public:
-  HeldDiagram(const py::object& triangulation, double tolerance) : source_type_(py::type::of(triangulation)) {
+  HeldDiagram(const py::object& triangulation, const py::object& tolerance)
+      : source_type_(py::type::of(triangulation)) {
     const auto& source = triangulation.cast<const HeldTriangulation&>();
     threads_ = source.threads();
     columns_ = source.columns();
     index_ = source.row_index();
-    const DiagramOptions options{.tolerance = tolerance};
+    const Tolerances wanted = as_tolerances(tolerance, source.dimension());
+    const DiagramOptions options{.tolerance = wanted.tolerance, .axis_tolerances = wanted.of_axes};
     const Execution how{.threads = threads_};
     Supervisor supervisor;
     for (std::uint64_t version = source.version() + 1;
@@ -57,9 +59,9 @@ class HeldDiagram {
 
   /// For pickle: the triangulation, from which unpickling rebuilds the diagram.
   py::tuple recipe(const py::object& self) const {
-    return py::make_tuple(
-        py::module_::import("delone._pickling").attr("diagram"),
-        py::make_tuple(py::type::of(self), source_type_, source_state_, diagram_->tolerance()));
+    return py::make_tuple(py::module_::import("delone._pickling").attr("diagram"),
+                          py::make_tuple(py::type::of(self), source_type_, source_state_,
+                                         as_argument(diagram_->tolerance(), diagram_->axis_tolerances())));
   }
 
   const Diagram& diagram() const { return *diagram_; }
@@ -185,7 +187,16 @@ void bind_voronoi(py::module_& module) {
           "The dimension k <= d of the smallest flat that contains all points; -1 for none.")
       .def_property_readonly(
           "tolerance", [](const HeldDiagram& h) { return h.diagram().tolerance(); },
-          "The tolerance of the constructor.")
+          "The tolerance of the constructor, the largest one of those of the axes.")
+      .def_property_readonly(
+          "axis_tolerances",
+          [](const HeldDiagram& h) {
+            const auto own = h.diagram().axis_tolerances();
+            std::vector<double> all(own.begin(), own.end());
+            if (all.empty()) all.assign(h.dimension(), h.diagram().tolerance());
+            return list_view(std::move(all));
+          },
+          text(docs::voronoi::axis_tolerances))
       .def_property_readonly(
           "max_displacement", [](const HeldDiagram& h) { return h.diagram().max_displacement(); },
           text(docs::voronoi::displacement))
@@ -305,7 +316,7 @@ void bind_voronoi(py::module_& module) {
           "margin"_a = 0.1, text(docs::voronoi::bounding_box));
 
   py::class_<HeldVoronoi, HeldDiagram>(module, "Voronoi", text(docs::voronoi::voronoi))
-      .def(py::init([](const py::object& points, double tolerance) {
+      .def(py::init([](const py::object& points, const py::object& tolerance) {
              const py::object source = py::isinstance<HeldTriangulation>(points)
                                            ? points
                                            : py::module_::import("delone").attr("Delaunay")(points);
@@ -321,7 +332,7 @@ void bind_voronoi(py::module_& module) {
       .def("__reduce__", [](const py::object& self) { return self.cast<const HeldVoronoi&>().recipe(self); });
 
   py::class_<HeldPower, HeldDiagram>(module, "PowerDiagram", text(docs::voronoi::power))
-      .def(py::init([](const py::object& points, const py::object& weights, double tolerance) {
+      .def(py::init([](const py::object& points, const py::object& weights, const py::object& tolerance) {
              if (weights.is_none() && !py::isinstance<HeldTriangulation>(points))
                throw py::type_error("PowerDiagram() of points needs 'weights'; Voronoi is without");
              const py::object source = py::isinstance<HeldTriangulation>(points)
@@ -338,7 +349,7 @@ void bind_voronoi(py::module_& module) {
       .def("__reduce__", [](const py::object& self) { return self.cast<const HeldPower&>().recipe(self); });
 
   py::class_<HeldFurthest, HeldDiagram>(module, "FurthestVoronoi", text(docs::voronoi::furthest))
-      .def(py::init([](const py::object& points, double tolerance) {
+      .def(py::init([](const py::object& points, const py::object& tolerance) {
              const py::object source = py::isinstance<HeldTriangulation>(points)
                                            ? points
                                            : py::module_::import("delone").attr("FurthestSite")(points);

@@ -72,6 +72,7 @@ void for_each_member(Data& data, Visit visit) {
   visit("axes", data.axes);
   visit("tolerance", data.tolerance);
   visit("max_distance", data.max_distance);
+  visit("axis_tolerances", data.axis_tolerances);
   visit("kind", data.kind);
 }
 
@@ -129,6 +130,7 @@ void for_each_member(Data& data, Visit visit) {
   visit("ray_directions", data.ray_directions, d, true);
   visit("ray_points", data.ray_points, k, true);
   visit("tolerance", data.tolerance);
+  visit("axis_tolerances", data.axis_tolerances);
   visit("kind", data.kind);
 }
 

@@ -17,8 +17,9 @@ Parameters
 ----------
 points : (n, d) array_like or pandas.DataFrame
     The points, finite numbers that are exact in float64, d >= 1. Duplicates are merged; flat points have their hull in their flat.
-tolerance : float, default 0.0
-    The largest distance, >= 0 in the unit of the coordinates, of a point from the hull; 0 is exact. See Notes.
+tolerance : float or (d,) array_like, default 0.0
+    The largest distance, >= 0 in the unit of the coordinates, of a point from the hull; 0 is exact. Or one for each axis, in the
+    unit of its column, all 0 or none. See Notes.
 )" DELONE_DOC_OF_BUILD_ARGUMENTS R"(
 Raises
 ------
@@ -44,6 +45,10 @@ exactly. The farthest points are chosen first. A facet then consists of cells wh
 of its largest cell, the plane in `equations`. Points near a flat of fewer dimensions have the hull of their projections on `axes`
 in it. ValueError if the tolerance is negative, not finite, or larger than the set along every axis.
 
+With a tolerance for each axis no point is farther outside along an axis than that. Axes are multiplied by powers of two for which
+the tolerances agree but for a factor below 2, and are lowered to the least of them; distances are those after that. So columns of
+different units do not swallow each other, and one that is multiplied by a power of two, with its tolerance, has the same hull.
+
 Method: incremental insertion with symbolic perturbation of ties, Devillers and Teillaud, doi:10.1016/j.comgeo.2010.09.010. Cost:
 O(n) cells for evenly spread points, at worst O(n^floor(d/2)). Methods release the GIL.
 
@@ -56,6 +61,12 @@ array([0, 1, 2, 3], dtype=int32)
 >>> hull.volume, hull.area
 (4.0, 8.0))";
 
+inline constexpr const char* axis_tolerances = R"(
+How far points may be outside along each axis, (d,) float64.
+
+`tolerance` for all axes, or, if axes have tolerances of their own, those that are used: what was given, lowered by less than half
+of it.)";
+
 inline constexpr const char* of_extreme_points = R"(
 Compute the hull of the extreme points among points.
 
@@ -66,7 +77,7 @@ Parameters
 ----------
 points : (n, d) array_like or pandas.DataFrame
     The points, finite numbers that are exact in float64, d >= 1. Duplicates are merged; flat points have their hull in their flat.
-tolerance : float, default 0.0
+tolerance : float or (d,) array_like, default 0.0
     As for the constructor.
 )" DELONE_DOC_OF_BUILD_ARGUMENTS R"(
 Returns

@@ -18,6 +18,12 @@ A bound, rounded up, on the distance of an exact vertex from the one that replac
 
 Also of a vertex that was removed from straight edges from these edges. At most the tolerance; 0 if nothing was merged.)";
 
+inline constexpr const char* axis_tolerances = R"(
+How far a vertex may have moved along each axis, (d,) float64.
+
+`tolerance` for all axes, or, if axes have tolerances of their own, those that are used: what was given, lowered by less than half
+of it.)";
+
 inline constexpr const char* vertices = R"(
 The vertices, (v, d) float64: the distinct centers of the cells' spheres.
 
@@ -143,8 +149,8 @@ Parameters
 ----------
 points : (n, d) array_like, pandas.DataFrame or Delaunay
     The points, or their triangulation.
-tolerance : float, default 0.0
-    A distance >= 0: smaller vertices and ridges are left out, see Notes. 0 is exact.
+tolerance : float or (d,) array_like, default 0.0
+    A distance >= 0, or one for each axis, all 0 or none: smaller vertices and ridges are left out, see Notes. 0 is exact.
 
 Raises
 ------
@@ -173,6 +179,9 @@ ridges stay, unless their rays become one. All distances are upper bounds, round
 tolerance stays. Volumes are those of the exact regions, so they add up as before. The order of the rows does not matter. Cost: a
 pass over the ridges, and the memory of the exact diagram if anything changed.
 
+With a tolerance for each axis no vertex moves further along an axis than that: axes are multiplied by powers of two for which the
+tolerances agree but for a factor below 2, and are lowered to the least of them; distances are those after that.
+
 The diagram owns its data, which do not change when points are added to the triangulation. Cost: a solve of k equations for each
 cell, and the size of the output.
 
@@ -195,8 +204,8 @@ Parameters
 ----------
 points : (n, d) array_like, pandas.DataFrame or FurthestSite
     The points, or their triangulation.
-tolerance : float, default 0.0
-    A distance >= 0: smaller vertices and ridges are left out, see `Voronoi`. 0 is exact.
+tolerance : float or (d,) array_like, default 0.0
+    A distance >= 0, or one for each axis, all 0 or none: smaller vertices and ridges are left out, see `Voronoi`. 0 is exact.
 
 Raises
 ------
@@ -230,8 +239,8 @@ points : (n, d) array_like, pandas.DataFrame or Regular
     The points, or their triangulation.
 weights : (n,) array_like, optional
     The weights of points, in the unit of squared lengths.
-tolerance : float, default 0.0
-    A distance >= 0: smaller vertices and ridges are left out, as for `Voronoi`. 0 is exact.
+tolerance : float or (d,) array_like, default 0.0
+    A distance >= 0, or one for each axis, all 0 or none: smaller vertices and ridges are left out, as for `Voronoi`. 0 is exact.
 
 Raises
 ------

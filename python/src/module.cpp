@@ -93,6 +93,7 @@ PYBIND11_MODULE(_core, module) {
   python::bind_cell_maps(module);
   python::bind_clough_tocher(module);
   python::bind_lists(module);
+  python::bind_rounding(module);
   python::bind_tiles(module);
   python::bind_forecast(module);
   python::bind_files(module);

@@ -18,6 +18,7 @@ void bind_halfspaces(pybind11::module_& module);
 void bind_cell_maps(pybind11::module_& module);
 void bind_clough_tocher(pybind11::module_& module);
 void bind_lists(pybind11::module_& module);
+void bind_rounding(pybind11::module_& module);
 void bind_tiles(pybind11::module_& module);
 void bind_forecast(pybind11::module_& module);
 void bind_files(pybind11::module_& module);

@@ -34,7 +34,7 @@ void require_tolerance_within(double tolerance, double extent, const std::string
 }
 
 void require_tolerance_within(double tolerance, std::span<const double> points, std::size_t d,
-                              std::span<const double> more_points) {
+                              std::span<const double> more_points, std::span<const double> factors) {
   if (tolerance == 0) return;
   double longest = 0;
   for (std::size_t j = 0; j < d; ++j) {
@@ -44,14 +44,29 @@ void require_tolerance_within(double tolerance, std::span<const double> points, 
         low = std::fmin(low, part[i]);
         high = std::fmax(high, part[i]);
       }
+    if (!factors.empty()) {
+      low *= factors[j];
+      high *= factors[j];
+      if (low <= high && !(std::isfinite(low) && std::isfinite(high)))
+        throw Error(Errc::invalid_argument,
+                    "the tolerances of axes differ too much for coordinates as large "
+                    "as those of axis " +
+                        std::to_string(j));
+    }
     longest = std::max(longest, high - low);
   }
   require_tolerance_within(tolerance, longest, "the set of points, whose longest side is");
 }
 
-void refuse_tolerance(double tolerance, const std::string& what) {
-  if (tolerance != 0)
+void refuse_tolerance(double tolerance, std::span<const double> per_axis, const std::string& what) {
+  if (tolerance != 0 || !per_axis.empty())
     throw Error(Errc::invalid_argument, what + " have no tolerance: Options::tolerance must be 0");
+}
+
+void refuse_axis_tolerances(std::span<const double> per_axis, const std::string& what) {
+  if (!per_axis.empty())
+    throw Error(Errc::invalid_argument,
+                what + " have one tolerance, along the last axis: Options::axis_tolerances must be empty");
 }
 
 }  // namespace delone::internal

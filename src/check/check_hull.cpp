@@ -83,6 +83,7 @@ void check_hull_storage(const HullData& data, const ComplexData& boundary) {
         std::isfinite(data.tolerance)))
     throw Violation{fmt::format("the tolerance is {}, and the largest distance of a point at most {}",
                                 data.tolerance, data.max_distance)};
+  check_axis_tolerances(data.tolerance, data.axis_tolerances, data.dimension);
   for (const SignedIndex row : data.vertices)
     if (row < 0 || static_cast<std::size_t>(row) >= n)
       throw Violation{fmt::format("the extreme points include {}, but there are {} points", row, n)};

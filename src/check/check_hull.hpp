@@ -2,9 +2,11 @@
 // What the levels of check() of a hull hand to each other.
 #pragma once
 
+#include "base/axis_scale.hpp"
 #include "check/check_stages.hpp"
 #include "compiled/simplicial_hull.hpp"
 #include "hull/hull_normal.hpp"
+#include "hull/scaled_sites.hpp"
 #include "hull/tolerance/cover.hpp"
 #include "kernel/predicates.hpp"
 
@@ -25,7 +27,8 @@ using compiled::SimplicialHull;
 /// The hull as the engine's front end sees it: rows are sites.
 class ExaminedHull {
  public:
-  ExaminedHull(const HullData& data, const std::vector<double>& points) : sites(data.dimension), data_(data) {
+  ExaminedHull(const HullData& data, const std::vector<double>& points)
+      : sites(data.dimension), scale(data.tolerance, data.axis_tolerances, data.dimension), data_(data) {
     sites.coordinates = points;
     for (std::size_t row = 0; row < sites.size(); ++row)
       sites.grid.include(sites.point(static_cast<Index>(row)));
@@ -64,8 +67,10 @@ class ExaminedHull {
       if (sites.size() > 0) throw Violation{"there is no vertex"};
       return;
     }
+    const hull::ScaledSites scaled(sites, scale);
+    const sites::BoundarySites& where_distances_count = scaled.get();
     std::vector<const double*> points;
-    for (const Index row : corners) points.push_back(sites.point(row));
+    for (const Index row : corners) points.push_back(where_distances_count.point(row));
     hull::Cover distances({}, sites.ambient, data_.max_distance, {}, {});
     for (Index row = 0; row < sites.size(); ++row) {
       if (hull.dimension == sites.ambient) {
@@ -73,7 +78,7 @@ class ExaminedHull {
         while (c < hull.num_cells() && side(c, row) != Sign::negative) ++c;
         if (c == hull.num_cells()) continue;
       }
-      if (distances.exceeds(points, sites.point(row)))
+      if (distances.exceeds(points, where_distances_count.point(row)))
         throw Violation{
             fmt::format("the point {} is farther from the hull than {}", row, data_.max_distance), {}, {row}};
     }
@@ -132,6 +137,7 @@ class ExaminedHull {
   }
 
   sites::BoundarySites sites;
+  internal::AxisScale scale;
   SimplicialHull hull;
   std::vector<Index> basis;
   std::optional<hull::HullNormals> normals;

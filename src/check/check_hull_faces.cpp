@@ -5,6 +5,7 @@
 #include "check/check_hull.hpp"
 #include "hull/facet_labels.hpp"
 #include "hull/hull_faces.hpp"
+#include "hull/scaled_sites.hpp"
 
 #include <cmath>
 #include <map>
@@ -27,7 +28,8 @@ hull::PolytopeFaces faces_of(ExaminedHull& examined, const HullData& data) {
         pairs.emplace_back(static_cast<Index>(c), across);
   hull::PolytopeFaces exact = hull::find_faces(hull, examined.sites.size(), pairs);
   if (!examined.is_tolerant()) return exact;
-  hull::PolytopeFaces labels = hull::label_facets(examined.sites, hull, data.tolerance);
+  hull::PolytopeFaces labels =
+      hull::label_facets(hull::ScaledSites(examined.sites, examined.scale).get(), hull, data.tolerance);
   labels.is_extreme = std::move(exact.is_extreme);  // of all corners, if the cells are sound
   return labels;
 }

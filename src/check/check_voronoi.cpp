@@ -155,6 +155,7 @@ void DiagramChecker::check_storage() const {
     throw Violation{"impossible dimensions"};
   if (!(a.tolerance >= 0) || !std::isfinite(a.tolerance))
     throw Violation{"the tolerance is not a finite number of at least 0"};
+  internal::check_axis_tolerances(a.tolerance, a.axis_tolerances, a.dimension);
   const std::size_t n = a.num_points();
   const auto size = [](const char* name, std::size_t found, std::size_t expected) {
     if (found != expected)
@@ -194,7 +195,7 @@ void DiagramChecker::check_storage() const {
 }
 
 void DiagramChecker::make_diagram(unsigned threads) {
-  const DiagramOptions options{.tolerance = data_.tolerance};
+  const DiagramOptions options{.tolerance = data_.tolerance, .axis_tolerances = data_.axis_tolerances};
   const Execution how{.threads = threads};
   const TriangulationKind kind = is_furthest()           ? TriangulationKind::furthest_site
                                  : data_.weights.empty() ? TriangulationKind::delaunay

@@ -1,7 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check/levels.hpp"
 
+#include "base/axis_scale.hpp"
+
+#include <algorithm>
+
 namespace delone {
+
+void internal::check_axis_tolerances(double tolerance, std::span<const double> of_axes, int dimension) {
+  if (of_axes.empty()) return;
+  try {
+    const AxisScale scale(tolerance, of_axes, dimension);
+    if (scale.tolerance() == tolerance && std::ranges::equal(scale.tolerances(), of_axes)) return;
+  } catch (const Error& error) {
+    throw Violation{std::string("the tolerances of the axes: ") + error.what()};
+  }
+  throw Violation{"the tolerances of the axes are not the tolerance divided by powers of two"};
+}
 
 template <PlainData Data>
 std::span<const CheckLevel> check_levels() {

@@ -25,6 +25,9 @@ struct Violation {
   std::vector<std::size_t> cells{}, points{}, vertices{}, halfspaces{};
 };
 
+/// Throws a Violation unless tolerances of axes are those of a scale with the tolerance given, or none.
+void check_axis_tolerances(double tolerance, std::span<const double> of_axes, int dimension);
+
 template <PlainData Data>
 DELONE_HIDDEN inline constexpr std::array<CheckLevel, 0> levels_of{};
 template <>

@@ -251,7 +251,7 @@ struct HalfspaceIntersectionBase::Impl {
 HalfspaceIntersectionBase::HalfspaceIntersectionBase(const AnyPoints<>& halfspaces, int dimension,
                                                      const Options& options) {
   internal::require_dimension(dimension);
-  internal::refuse_tolerance(options.tolerance, "intersections of halfspaces");
+  internal::refuse_tolerance(options.tolerance, options.axis_tolerances, "intersections of halfspaces");
   halfspaces.require_dimension(dimension + 1);
   internal::guarded("the intersection", [&] {
     impl_ = std::make_unique<Impl>(dimension, options);
@@ -263,7 +263,7 @@ HalfspaceIntersectionBase::HalfspaceIntersectionBase(const AnyPoints<>& halfspac
                                                      std::span<const double> interior_point,
                                                      const Options& options) {
   internal::require_dimension(dimension);
-  internal::refuse_tolerance(options.tolerance, "intersections of halfspaces");
+  internal::refuse_tolerance(options.tolerance, options.axis_tolerances, "intersections of halfspaces");
   halfspaces.require_dimension(dimension + 1);
   if (interior_point.size() != static_cast<std::size_t>(dimension))
     throw Error(Errc::bad_dimension, "the interior point has not as many coordinates as the space");

@@ -4,6 +4,7 @@
 #include "base/infinity.hpp"
 #include "base/progress_meter.hpp"
 #include "hull/facet_labels.hpp"
+#include "hull/scaled_sites.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -18,7 +19,9 @@ HullAnalysis::HullAnalysis(const HullState& state, const HullTolerance& toleranc
 const PolytopeFaces& HullAnalysis::faces() const {
   return faces_.get([&] {
     const SimplicialHull& hull = state_.hull();
-    if (tolerance_.tolerance > 0) return label_facets(state_.sites(), hull, tolerance_.tolerance);
+    if (tolerance_.scale.tolerance() > 0)
+      return label_facets(ScaledSites(state_.sites(), tolerance_.scale).get(), hull,
+                          tolerance_.scale.tolerance());
     std::vector<std::pair<Index, Index>> coplanar;
     if (state_.boundary() != nullptr) coplanar = state_.boundary()->coplanar_neighbors(hull);
     return find_faces(hull, state_.sites().size(), coplanar);
@@ -120,7 +123,8 @@ HullData HullAnalysis::make_data() const {
   data.dimension = sites.ambient;
   data.affine_dimension = state_.affine_hull().dimension();
   data.axes = sites.axes;
-  data.tolerance = tolerance_.tolerance;
+  data.tolerance = tolerance_.scale.tolerance();
+  data.axis_tolerances = tolerance_.scale.tolerances();
   data.max_distance = tolerance_.max_distance;
   const auto rows = [&](const std::vector<Index>& from) {
     std::vector<SignedIndex> to(from.size());

@@ -3,6 +3,7 @@
 // computed on first use. `const` members are safe to call from several threads at once.
 #pragma once
 
+#include "base/axis_scale.hpp"
 #include "hull/hull_faces.hpp"
 #include "hull/hull_locator.hpp"
 #include "hull/hull_measure.hpp"
@@ -36,8 +37,8 @@ class Lazy {
 
 /// What a hull with a tolerance promises; 0 for exact ones.
 struct HullTolerance {
-  double tolerance = 0;     ///< of facets, too
-  double max_distance = 0;  ///< of the points
+  internal::AxisScale scale;  ///< with the tolerance, of facets, too
+  double max_distance = 0;    ///< of the points, where axes are scaled
 };
 
 class HullAnalysis {

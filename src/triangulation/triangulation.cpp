@@ -37,7 +37,7 @@ kernel::RowForm form_of(TriangulationKind kind) {
 
 Triangulation::Triangulation(TriangulationKind kind, int dimension, const Options& options) {
   internal::require_dimension(dimension);
-  internal::refuse_tolerance(options.tolerance, "triangulations");
+  internal::refuse_tolerance(options.tolerance, options.axis_tolerances, "triangulations");
   internal::require_time_limit(options.time_limit);
   impl_ = internal::guarded("the triangulation",
                             [&] { return std::make_unique<Impl>(dimension, form_of(kind), options); });

@@ -14,12 +14,13 @@
 
 namespace delone::voronoi {
 
-DiagramSimplifier::DiagramSimplifier(const Diagram& exact, double tolerance)
+DiagramSimplifier::DiagramSimplifier(const Diagram& exact, const internal::AxisScale& scale)
     : in_(exact),
-      tolerance_(tolerance),
+      tolerance_(scale.tolerance()),
       k_(static_cast<std::size_t>(std::max(exact.affine_dimension(), 0))),
       d_(static_cast<std::size_t>(exact.dimension())),
       num_vertices_(exact.num_vertices()),
+      scaled_(scale.is_one() ? std::vector<double>() : scale.scaled(exact.vertices_)),
       representative_(num_vertices_),
       first_ray_(exact.num_rays()),
       is_gone_(exact.num_ridges(), 0),

@@ -4,6 +4,7 @@
 // bounds (kernel/distance_bound.hpp), computed in an order that does not depend on numbers of vertices.
 #pragma once
 
+#include "base/axis_scale.hpp"
 #include "kernel/distance_bound.hpp"
 #include "voronoi/ridge_width.hpp"
 
@@ -20,8 +21,9 @@ namespace delone::voronoi {
 
 class DiagramSimplifier {
  public:
-  /// REQUIRES an exact diagram with ridges, and a finite tolerance > 0. Both stay valid.
-  DiagramSimplifier(const Diagram& exact, double tolerance);
+  /// `scale`: with the tolerance; distances are those where axes are scaled. REQUIRES an exact diagram with
+  /// ridges, which stays valid, and a tolerance > 0.
+  DiagramSimplifier(const Diagram& exact, const internal::AxisScale& scale);
 
   /// Whether the tolerance changes anything. If so, `out`, which has the sites and the dimensions already,
   /// gets vertices, ridges, regions and rays.
@@ -79,7 +81,7 @@ class DiagramSimplifier {
   std::span<const SignedIndex> ridge(std::size_t i) const { return Diagram::list(items_, offsets_, i); }
   template <class Number>
   const double* at(Number v) const {
-    return in_.vertices_.data() + static_cast<std::size_t>(v) * d_;
+    return (scaled_.empty() ? in_.vertices_ : scaled_).data() + static_cast<std::size_t>(v) * d_;
   }
   std::size_t region_of_row(SignedIndex row) const {
     return static_cast<std::size_t>(in_.point_region_[static_cast<std::size_t>(row)]);
@@ -89,6 +91,7 @@ class DiagramSimplifier {
   const Diagram& in_;
   const double tolerance_;
   const std::size_t k_, d_, num_vertices_;
+  const std::vector<double> scaled_;  // the vertices, unless axes are as they are
   bool is_changed_ = false;
   double max_displacement_ = 0;
   std::vector<Index> representative_;                          // of each vertex

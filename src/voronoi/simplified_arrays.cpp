@@ -89,7 +89,8 @@ void DiagramSimplifier::number_vertices(Diagram& out) {
   for (std::size_t v = 0; v < num_vertices_; ++v) {
     if (number_[v] < 0) continue;
     number_[v] = count++;
-    out.vertices_.insert(out.vertices_.end(), at(v), at(v) + d_);
+    const auto vertex = in_.vertex(v);
+    out.vertices_.insert(out.vertices_.end(), vertex.begin(), vertex.end());
   }
 }
 

@@ -104,10 +104,11 @@ Diagram::Diagram(const Triangulation& triangulation, const std::function<double(
                  const DiagramOptions& options, const Execution& how)
     : dimension_(triangulation.dimension()),
       affine_dimension_(triangulation.affine_dimension()),
-      kind_(kind_of_dual(triangulation.kind())),
-      has_ridges_(options.parts == DiagramParts::all || options.tolerance > 0),
-      tolerance_(options.tolerance) {
-  internal::require_tolerance(tolerance_);
+      kind_(kind_of_dual(triangulation.kind())) {
+  const internal::AxisScale scale(options.tolerance, options.axis_tolerances, dimension_);
+  tolerance_ = scale.tolerance();
+  axis_tolerances_ = scale.tolerances();
+  has_ridges_ = options.parts == DiagramParts::all || tolerance_ > 0;
   const internal::ProgressMeter meter(how.progress);
   internal::guarded("the diagram", [&] {
     voronoi::VoronoiBuilder(triangulation, weight, how.threads, *this).run();
@@ -125,7 +126,8 @@ Diagram::Diagram(const Triangulation& triangulation, const std::function<double(
 /// Replaces the exact diagram by the simplified one, and keeps it for volumes and clipping.
 void Diagram::simplify() {
   if (num_regions() < 2) return;
-  internal::require_tolerance_within(tolerance_, sites_, ambient());
+  const internal::AxisScale scale(tolerance_, axis_tolerances_, dimension_);
+  internal::require_tolerance_within(tolerance_, sites_, ambient(), {}, scale.factors());
   const std::shared_ptr<Diagram> exact(new Diagram(std::move(*this)),
                                        [](Diagram* diagram) { delete diagram; });
   sites_ = exact->sites_;
@@ -134,8 +136,9 @@ void Diagram::simplify() {
   region_points_ = exact->region_points_;
   point_region_ = exact->point_region_;
   bounded_ = exact->bounded_;
+  axis_tolerances_ = exact->axis_tolerances_;
   // Moved from: all other arrays are empty.
-  if (voronoi::DiagramSimplifier(*exact, tolerance_).run(*this))
+  if (voronoi::DiagramSimplifier(*exact, scale).run(*this))
     exact_ = exact;
   else
     *this = std::move(*exact);
@@ -295,6 +298,7 @@ VoronoiData Diagram::to_data() const {
                      ray_points_,
                      ray_directions_,
                      tolerance_,
+                     axis_tolerances_,
                      {},
                      kind_};
     const double* hidden = hidden_.data();

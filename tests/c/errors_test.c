@@ -68,6 +68,7 @@ static void names(void) {
 }
 
 static void options_are_examined(void) {
+  const double negative[2] = {1, -1};
   delone_options* options;
   delone_object* hull;
   OK(delone_options_new(&options));
@@ -80,6 +81,10 @@ static void options_are_examined(void) {
   FAILS(DELONE_INVALID_ARGUMENT, delone_set_real(options, "tolerance", -1e-30));
   CHECK(strstr(delone_error_message(), "option tolerance: -1e-30 is no") != NULL);
   FAILS(DELONE_INVALID_ARGUMENT, delone_set_real(options, "tolerance", NAN));
+  FAILS(DELONE_INVALID_ARGUMENT, delone_set_reals(options, "tolerance", square, 2));
+  CHECK(strstr(delone_error_message(), "axis_tolerances") != NULL);
+  FAILS(DELONE_INVALID_ARGUMENT, delone_set_reals(options, "axis_tolerances", negative, 2));
+  FAILS(DELONE_INVALID_ARGUMENT, delone_set_reals(options, "axis_tolerances", NULL, 2));
   FAILS(DELONE_INVALID_ARGUMENT, delone_set_text(options, "order", "given"));
   CHECK(strstr(delone_error_message(), "as_given") != NULL);
   FAILS(DELONE_INVALID_ARGUMENT, delone_set_text(options, "order", NULL));

@@ -53,6 +53,33 @@ static void hull_with_a_tolerance(void) {
   free(points);
 }
 
+static void tolerances_of_axes(void) {
+  const double notched[10] = {0, 0, 1024, -0.0625, 2048, 0, 2048, 1, 0, 1}, wide[2] = {64, 0.0625},
+               narrow[2] = {64, 0.05};
+  delone_options* options;
+  delone_object* object;
+  delone_array used;
+  OK(delone_options_new(&options));
+  OK(delone_set_reals(options, "axis_tolerances", wide, 2));
+  OK(delone_convex_hull(notched, 5, 2, options, &object));
+  used = get_array(object, "axis_tolerances");
+  CHECK(used.shape[0] == 2 && entry(&used, 0) == 64 && entry(&used, 1) == 0.0625);
+  CHECK(get_integer(object, "num_vertices") == 4 && get_real(object, "tolerance") == 64);
+  delone_free(object);
+  OK(delone_lower_hull(notched, 5, 2, options, &object)); /* which has one tolerance only */
+  delone_free(object);
+  OK(delone_set_reals(options, "axis_tolerances", narrow, 2));
+  OK(delone_convex_hull(notched, 5, 2, options, &object));
+  CHECK(get_integer(object, "num_vertices") == 5);
+  delone_free(object);
+  FAILS(DELONE_INVALID_ARGUMENT, delone_convex_hull(notched, 3, 3, options, &object));
+  OK(delone_set_reals(options, "axis_tolerances", NULL, 0));
+  OK(delone_convex_hull(notched, 5, 2, options, &object));
+  CHECK(get_real(object, "tolerance") == 0 && get_array(object, "axis_tolerances").shape[0] == 0);
+  delone_free(object);
+  delone_options_free(options);
+}
+
 static void many_hulls(void) {
   const size_t offsets[4] = {0, 4, 4, 5}, wrong[2] = {0, 6};
   delone_object* hulls;
@@ -181,6 +208,7 @@ static void diagrams(void) {
 void hulls_test(void) {
   cube();
   hull_with_a_tolerance();
+  tolerances_of_axes();
   many_hulls();
   envelopes();
   halfspaces();

@@ -95,6 +95,36 @@ TEST(TolerantHull, KeepsItsPromisesOnTurnedShapes) {
     }
 }
 
+// In rationals, as above, where axes are multiplied by powers of two.
+TEST(TolerantHull, KeepsTheTolerancesOfAxes) {
+  std::mt19937_64 random(2);
+  std::normal_distribution<double> normal;
+  for (const std::vector<double>& wanted :
+       {std::vector<double>{3e5, 4e-7}, {1e-3, 0.5}, {0.3, 5e8, 7e-9}, {1e-15, 0.1, 0.1}}) {
+    const std::size_t d = wanted.size();
+    std::vector<double> points(30 * d);
+    for (std::size_t i = 0; i < points.size(); ++i) points[i] = 2 * wanted[i % d] * normal(random);
+    const ConvexHull<> hull(points, static_cast<int>(d), {.axis_tolerances = wanted});
+    HullData data = hull.to_data();
+    EXPECT_TRUE(check(data).ok) << check(data).violation;
+    EXPECT_LT(data.vertices.size(), ConvexHull<>(points, static_cast<int>(d)).num_vertices());
+    const std::vector<double> used = hull.axis_tolerances();
+    EXPECT_EQ(data.axis_tolerances, used);
+    std::vector<double> scaled = points;
+    for (std::size_t j = 0; j < d; ++j) {
+      EXPECT_TRUE(wanted[j] / 2 < used[j] && used[j] <= wanted[j]);
+      for (std::size_t i = j; i < scaled.size(); i += d) scaled[i] *= hull.tolerance() / used[j];
+    }
+    std::vector<const double*> vertices;
+    for (const SignedIndex row : data.vertices)
+      vertices.push_back(scaled.data() + static_cast<std::size_t>(row) * d);
+    for (std::size_t at = 0; at < scaled.size(); at += d)
+      EXPECT_TRUE(test::is_within(vertices, scaled.data() + at, d, data.max_distance)) << "row " << at / d;
+    data.axis_tolerances[0] /= 2;
+    EXPECT_FALSE(check(data).ok);
+  }
+}
+
 TEST(TolerantHull, KeepsItsPromisesOnRandomPoints) {
   std::mt19937_64 random(1);
   std::normal_distribution<double> normal;

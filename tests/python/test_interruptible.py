@@ -13,7 +13,7 @@ from hostile_support import MODULES, classes, is_large
 
 # Entries that return what is there, or make one pass over what they return: a second for some 10^8 numbers.
 QUICK = {
-    "delone.ConvexHull": "__repr__ affine_dimension axes columns dimension max_distance num_cells num_duplicates num_points plot statistics to_frame to_meshio "
+    "delone.ConvexHull": "__repr__ affine_dimension axes axis_tolerances columns dimension max_distance num_cells num_duplicates num_points plot statistics to_frame to_meshio "
                          "to_pyvista to_vtk tolerance",
     "delone.LowerHull": "__getstate__ __len__ __repr__ cells columns composition_axes composition_dimension dimension facet_of_cell max_distance neighbors "
                         "num_cells num_facets num_points plot points side to_data to_meshio to_pyvista to_vtk tolerance vertices",
@@ -35,7 +35,7 @@ QUICK = {
     "delone.Faces": "__getstate__ __len__ __repr__ cells dimension on_hull vertices",
     "delone.AlphaComplex": "__len__ __repr__ boundary boundary_cells cell_numbers cells plot radius singular_facets to_data to_meshio to_pyvista to_vtk "
                            "triangulation",
-    "delone._core.Diagram": "affine_dimension bounding_box columns dimension is_bounded max_displacement num_points num_rays num_regions num_ridges "
+    "delone._core.Diagram": "affine_dimension axis_tolerances bounding_box columns dimension is_bounded max_displacement num_points num_rays num_regions num_ridges "
                             "num_vertices plot point_region points ray_directions ray_points ray_vertices region region_offsets region_points "
                             "region_vertices ridge ridge_offsets ridge_points ridge_vertices to_data to_frame to_meshio to_pyvista to_vtk tolerance vertices",
     "delone._core.Triangulation": "can_undo cell_ids changes compact_ids has_row num_rows record_changes record_undo undo vertex_ids "

@@ -95,8 +95,8 @@ class OnTriangulation(Interpolator):
     A subclass computes what it needs of ``_columns``, (n, c) float64 with real and imaginary parts side by side, in ``_prepare()``,
     and values at queries in ``_evaluate(queries, factor)``, (q, c), with tolerances that are `factor` times the usual ones.
 
-    Queries take the value at a point that is within Qhull's round-off of them, in a simplex thicker than that, if there is one; see
-    `delone.Delaunay.find_simplex` with its tolerance. Of those that remain outside, those in scipy's tolerance count as inside.
+    Queries take the value at a point that is no farther from them than the rounding of the points, in a simplex thicker than that, if there
+    is one; see `delone.Delaunay.find_simplex` with its tolerance. Of those that remain outside, those in scipy's tolerance count as inside.
     """
 
     _own = "_tri"
@@ -108,7 +108,7 @@ class OnTriangulation(Interpolator):
         self._tri = self.tri if isinstance(self.tri, spatial.Delaunay) else spatial.Delaunay._of(self.tri)
         if self._tri.furthest_site:
             raise ValueError("points: a furthest-site triangulation does not interpolate")
-        self._distance = _tolerance.of_qhull(self.points)
+        self._distance = _tolerance.of_queries(self.points)
         self._given_fill = fill_value
         self.values = values
 
@@ -151,7 +151,7 @@ class OnTriangulation(Interpolator):
             The queries: one array, or ndim arrays of coordinates that broadcast against each other.
         simplex_tolerance : float, default 1.0
             Factor of the tolerances, > 0. Queries with barycentric coordinates in [-t, 1+t] of a simplex, t = 100 eps times this,
-            count as inside it, and so do queries within Qhull's round-off times this.
+            count as inside it, and so do queries within the rounding of the points, times this.
 
         Returns
         -------

@@ -114,11 +114,17 @@ class Incremental:
         """Raises QhullError if the points span less than the space."""
         k = self._core.affine_dimension
         if k < self.ndim:
-            tolerance = getattr(self, "tolerance", 0)
-            is_large = tolerance > 1e-6 * float((self.max_bound - self.min_bound).max())
-            within = f", within the tolerance of {tolerance:g}" if is_large else ""
-            raise qhull_error(f"QH6154 initial simplex is flat: {self.npoints} points span a flat of dimension {k} in {self.ndim} "
-                              f"dimensions{within}. flat='result' gives the result within it")
+            span = self._dimension_of_span()
+            if span == k:
+                raise qhull_error(f"QH6154 initial simplex is flat: {self.npoints} points span a flat of dimension {k} in {self.ndim} "
+                                  "dimensions. flat='result' gives the result within it")
+            raise qhull_error(f"QH6154 initial simplex is flat: {self.npoints} points span {span} dimensions, but are within "
+                              f"{self._what_flattens()} of a flat of dimension {k}. tolerance=0 gives the exact hull, flat='result' "
+                              "the one within the flat")
+
+    def _dimension_of_span(self) -> int:
+        """That of the smallest flat that contains all points exactly."""
+        return self._core.affine_dimension
 
     def _set_points(self, points: np.ndarray):
         npoints, ndim = points.shape

@@ -24,10 +24,11 @@ class ConvexHull(OfPoints):
         Allow `add_points`.
     qhull_options : str, optional
         Qhull's options, see docs/from-qhull.md.
-    tolerance : float, optional
+    tolerance : float or (ndim,) array_like, optional
         The hull is the exact hull of a subset of the points; all others are at most this far outside, see `delone.ConvexHull`.
-        0 is exact. By default Qhull's round-off, about 1e-14 of the extent, see docs/from-scipy.md; that of the first points if
-        others are added without `restart`. Not in scipy.
+        0 is exact. One number for each axis bounds how far they are outside along that axis. By default Qhull's round-off in each
+        column, about 1e-14 of its numbers, see docs/from-scipy.md; that of the first points if others are added without `restart`.
+        Not in scipy.
     flat : {'error', 'result'}, optional
         For flat input, points that span less than the space: raise QhullError as in scipy, or compute the hull within the flat. With 'result' points in one
         dimension are allowed, too. Default 'error', with option QJ 'result'. Not in scipy.
@@ -52,12 +53,14 @@ class ConvexHull(OfPoints):
     neighbors : (nsimplex, ndim) ndarray of int32
         The simplex opposite each vertex.
     tolerance : float
-        The tolerance, given or computed. Not in scipy.
+        The tolerance, given or computed; the largest of those of the axes. Not in scipy.
+    axis_tolerances : (ndim,) ndarray of float64
+        How far points may be outside along each axis. Not in scipy.
 
     Raises
     ------
     QhullError
-        If the input is flat and `flat` is 'error', or a coordinate is infinite.
+        If the input is flat, exactly or within the tolerance, and `flat` is 'error', or a coordinate is infinite.
     ValueError
         If a coordinate is NaN, an option has no meaning here, or an argument is out of range.
 
@@ -81,7 +84,7 @@ class ConvexHull(OfPoints):
 
     _derived = ("simplices", "neighbors", "nsimplex", "affine_dimension", "volume", "area", "_shown", "vertices", "equations", "coplanar",
                 "good", "_extreme", "_rows")
-    _read_only = OfPoints._read_only | {"tolerance"}
+    _read_only = OfPoints._read_only | {"tolerance", "axis_tolerances"}
 
     def __init__(self, points, incremental=False, qhull_options=None, *, tolerance=None, flat=None):
         points = as_points(points)
@@ -97,16 +100,32 @@ class ConvexHull(OfPoints):
 
     def _rebuild(self, points):
         points = self._without_good_row(points)
-        tolerance = self._wanted_tolerance
-        if tolerance is None:
+        if self._wanted_tolerance is None:
             box = (self.min_bound, self.max_bound) if points is self.__dict__.get("_points") else None
-            tolerance = _tolerance.of_qhull(points, self._options, box)
+            rounding = _tolerance.Rounding(points, self._options, box)
+            core, rows = self._hull_of(points, np.array(rounding.of_hull()))
+            of_flats = rounding.of_flats()
+            vertices = core.vertices if rows is None else rows[core.vertices]
+            if core.affine_dimension == self.ndim and _core._may_be_flat(points[vertices], of_flats):
+                within = self._hull_of(points, np.array(of_flats))
+                if within[0].affine_dimension < self.ndim:
+                    core, rows = within
+        else:
+            core, rows = self._hull_of(points, self._wanted_tolerance)
+        self._set(tolerance=core.tolerance, axis_tolerances=np.array(core.axis_tolerances), _core=core, _core_rows=rows)
+
+    def _hull_of(self, points, tolerance):
         # A hull to which points can be added has all of them, as has one that tells of others; else extreme ones suffice.
         if self._incremental or self._options.keep_coplanar:
-            core, rows = delone.ConvexHull(points, tolerance=tolerance), None
-        else:
-            core, rows = delone.ConvexHull.of_extreme_points(points, tolerance=tolerance)
-        self._set(tolerance=tolerance, _core=core, _core_rows=rows)
+            return delone.ConvexHull(points, tolerance=tolerance), None
+        return delone.ConvexHull.of_extreme_points(points, tolerance=tolerance)
+
+    def _dimension_of_span(self):
+        return delone.ConvexHull.of_extreme_points(self._points)[0].affine_dimension
+
+    def _what_flattens(self):
+        is_given = self._wanted_tolerance is not None or self._options.sets_tolerance
+        return f"{'the tolerance of' if is_given else 'the rounding'} {self.tolerance:.2g}"
 
     def _extend(self, rows):
         self._core.insert_range(rows)
@@ -180,7 +199,7 @@ class ConvexHull(OfPoints):
         n . x + b <= 0 inside up to rounding. Equal rows for all simplices of one facet. Raises QhullError for flat input.
         """
         if self.affine_dimension < self.ndim:
-            raise qhull_error(f"equations: the points span a flat of dimension {self.affine_dimension} in {self.ndim} dimensions")
+            raise qhull_error(f"equations: the hull lies in a flat of dimension {self.affine_dimension} in {self.ndim} dimensions")
         return self._shown.equations[self._shown.facet_of_cell]
 
     @cached_property
@@ -201,12 +220,13 @@ class ConvexHull(OfPoints):
         near = kinds < 2  # on the boundary, or outside within the tolerance
         if self.affine_dimension == self.ndim and self.tolerance > 0:  # or inside within the tolerance: O(points · facets)
             normals, offsets = self._shown.equations[:, :-1], self._shown.equations[:, -1]
+            within = np.linalg.norm(normals * self.axis_tolerances, axis=1)
             first = np.unique(self._shown.facet_of_cell, return_index=True)[1]
             step = max(1, 1_000_000 // len(offsets))
             inside = np.flatnonzero(~near)
             for part in (inside[begin:begin + step] for begin in range(0, len(inside), step)):
                 distances = self._points[rest[part]] @ normals.T + offsets
-                near[part] = distances.max(axis=1) >= -self.tolerance
+                near[part] = (distances >= -within).any(axis=1)
                 cell[part] = first[distances.argmax(axis=1)]
         rest, cell = rest[near], cell[near]
         corners = simplices[cell]

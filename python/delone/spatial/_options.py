@@ -2,7 +2,7 @@
 """Qhull's options: what they ask for, if it has a meaning here.
 
 Three kinds. Some ask for something that delone also does (Qc, Qu, QG, the scaling of the paraboloid by Qbb and Qz, tolerances of hulls
-and diagrams). Many are about rounding errors, memory, the order of work, or what the program prints; no result depends on them, so they
+and diagrams, and the boxes QbB and Qbb in which these count). Many are about rounding errors, memory, the order of work, or what the program prints; no result depends on them, so they
 change nothing. The rest would change the result in a way that has no equivalent here; they are refused by name.
 """
 from __future__ import annotations
@@ -16,7 +16,6 @@ from delone import _core
 # Options without an effect, and why: the tests and docs/from-qhull.md go through these tables.
 NO_EFFECT = {
     "Qt": "all cells are simplices",
-    "QbB": "exact signs need no scaling; coordinates and volumes are those of the points as given",
     "Qx": "merging steers no result",
     "Qs": "the first simplex does not matter",
     "Qf": "the order of work does not matter",
@@ -64,6 +63,8 @@ class Options(NamedTuple):
     """What the options of a constructor ask for."""
 
     scaled: bool = False  # Qbb: the last coordinate of the paraboloid is scaled to [0, largest |coordinate|]
+    last_in_box: bool = False  # Qbb of hulls: tolerances count where the last column is scaled to that
+    in_cube: bool = False  # QbB: tolerances count where all columns are scaled to [-0.5, 0.5]
     at_infinity: bool = False  # Qz: a point above the paraboloid takes part in that scaling
     keep_coplanar: bool = False  # Qc: rows that are no vertex are listed in `coplanar`
     furthest: bool = False  # Qu
@@ -74,6 +75,11 @@ class Options(NamedTuple):
     centrum: float = 0.0  # Cn, C-n: added to the round-off of a distance
     roundoff: Optional[float] = None  # En: takes the place of the round-off of a distance
     width: float = 0.0  # Wn: the least tolerance
+
+    @property
+    def sets_tolerance(self) -> bool:
+        """Whether an option gives a distance."""
+        return self.roundoff is not None or self.centrum > 0 or self.width > 0
 
 
 def parse(text, *, kind: str, furthest_site: bool = False, incremental: bool = False) -> Options:
@@ -96,7 +102,9 @@ def _parsed(text, kind: str, furthest_site: bool, incremental: bool) -> Options:
         if incremental and option in _NOT_INCREMENTAL:
             raise ValueError(f"Qhull option {_core._represented(option)} is incompatible with incremental mode")
         if option == "Qbb":
-            found["scaled"] = delaunay
+            found["scaled" if delaunay else "last_in_box"] = True
+        elif option == "QbB":
+            found["in_cube"] = True
         elif option == "Qz":
             found["at_infinity"] = delaunay
         elif option == "Qc":

@@ -26,10 +26,10 @@ class Voronoi(OfPoints):
         Allow `add_points`.
     qhull_options : str, optional
         Qhull's options, see docs/from-qhull.md. Default "Qbb Qc Qz".
-    tolerance : float, optional
+    tolerance : float or (ndim,) array_like, optional
         Vertices within this distance of a representative are merged with it, and ridges of less width are left out, see
-        `delone.Voronoi`. 0 is exact. By default Qhull's round-off, about 1e-14 of the extent, see docs/from-scipy.md. Not in
-        scipy.
+        `delone.Voronoi`. 0 is exact; there may be one number for each axis. By default Qhull's round-off, about 1e-14 of the
+        coordinates, see docs/from-scipy.md. Not in scipy.
     flat : {'error', 'result'}, optional
         For flat input, points that span less than the space: raise QhullError as in scipy, or compute the diagram within the flat. With 'result' points in one
         dimension are allowed, too. Default 'error', with option QJ 'result'. Not in scipy.
@@ -56,7 +56,9 @@ class Voronoi(OfPoints):
     furthest_site : bool
         Whether it is a furthest-site diagram.
     tolerance : float
-        The tolerance, given or computed. Not in scipy.
+        The tolerance, given or computed; the largest of those of the axes. Not in scipy.
+    axis_tolerances : (ndim,) ndarray of float64
+        How far vertices may have moved along each axis. Not in scipy.
 
     Raises
     ------
@@ -83,9 +85,8 @@ class Voronoi(OfPoints):
     [-1, 0]
     """
 
-    _derived = ("vertices", "ridge_points", "ridge_vertices", "regions", "point_region", "ridge_dict", "affine_dimension", "tolerance",
+    _derived = ("vertices", "ridge_points", "ridge_vertices", "regions", "point_region", "ridge_dict", "affine_dimension", "tolerance", "axis_tolerances",
                 "_num_hidden", "_listed_ridges", "_ridges", "_regions", "_ray_points", "_ray_directions")
-    _read_only = OfPoints._read_only | {"tolerance"}
 
     def __init__(self, points, furthest_site=False, incremental=False, qhull_options=None, *, tolerance=None, flat=None):
         points = as_points(points)
@@ -102,7 +103,9 @@ class Voronoi(OfPoints):
 
     def _update(self):
         tolerance = self._wanted_tolerance
-        tolerance = _tolerance.of_qhull(self._points, self._options) if tolerance is None else tolerance
+        if tolerance is None:
+            rounding = _tolerance.Rounding(self._points, self._options, (self.min_bound, self.max_bound))
+            tolerance = np.array(rounding.of_diagram())
         diagram = (delone.FurthestVoronoi if self._options.furthest else delone.Voronoi)(self._core, tolerance)
         point_region = diagram.point_region.astype(np.intp)
         hidden = np.flatnonzero(point_region == -1)
@@ -116,7 +119,8 @@ class Voronoi(OfPoints):
         counts = np.diff(diagram.ridge_offsets)
         listed = np.flatnonzero(counts >= self._core.affine_dimension)
         self._take_over(affine_dimension=self._core.affine_dimension, vertices=np.array(diagram.vertices), point_region=point_region,
-                        ridge_points=diagram.ridge_points[listed], tolerance=tolerance, _num_hidden=len(hidden), _listed_ridges=listed,
+                        ridge_points=diagram.ridge_points[listed], tolerance=diagram.tolerance,
+                        axis_tolerances=np.array(diagram.axis_tolerances), _num_hidden=len(hidden), _listed_ridges=listed,
                         _ridges=(diagram.ridge_vertices, diagram.ridge_offsets), _regions=(diagram.region_vertices, diagram.region_offsets),
                         _ray_points=diagram.ray_points, _ray_directions=diagram.ray_directions)
         if not self._incremental:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // ConvexHullBase: the public members of what hull_state.hpp builds and hull_analysis.hpp derives from it.
+#include "base/axis_scale.hpp"
 #include "base/build_limits.hpp"
 #include "base/guarded.hpp"
 #include "base/progress_meter.hpp"
@@ -29,6 +30,7 @@ using hull::HullAnalysis;
 using hull::HullLocator;
 using hull::HullState;
 using hull::TolerantHull;
+using internal::AxisScale;
 
 namespace {
 
@@ -41,10 +43,16 @@ void require_row(std::size_t row, std::size_t count) {
 
 struct ConvexHullBase::Impl {
   Impl(int d, Options given)
-      : dimension(d), options(std::move(given)), state(std::make_unique<HullState>(d)) {}
+      : dimension(d),
+        options(std::move(given)),
+        scale(options.tolerance, options.axis_tolerances, d),
+        state(std::make_unique<HullState>(d)) {
+    options.tolerance = scale.tolerance();
+  }
   Impl(const Impl& other)
       : dimension(other.dimension),
         options(other.options),
+        scale(other.scale),
         state(std::make_unique<HullState>(*other.state)),
         has_vertices_only(other.has_vertices_only) {
     if (has_vertices_only) tolerant = std::make_unique<const TolerantHull>(*state, options.tolerance);
@@ -52,6 +60,7 @@ struct ConvexHullBase::Impl {
 
   int dimension;
   Options options;
+  AxisScale scale;                   // where distances count; its tolerance is that of the options
   std::unique_ptr<HullState> state;  // the exact hull of all points,
   bool has_vertices_only = false;    // unless only those that are shown have been inserted into it
   mutable std::mutex mutex;
@@ -73,7 +82,7 @@ struct ConvexHullBase::Impl {
   }
   const HullState& shown_when_locked() const {
     if (options.tolerance == 0) return *state;
-    if (!tolerant) tolerant = std::make_unique<const TolerantHull>(*state, options, false);
+    if (!tolerant) tolerant = std::make_unique<const TolerantHull>(*state, scale, options, false);
     return tolerant->state();
   }
   double max_distance() const {
@@ -83,7 +92,7 @@ struct ConvexHullBase::Impl {
       const std::lock_guard lock(mutex);
       if (!known_distance) {
         const std::unique_ptr<HullState> exact = exact_state();
-        known_distance = TolerantHull(*exact, options, false).max_distance();
+        known_distance = TolerantHull(*exact, scale, options, false).max_distance();
       }
       return *known_distance;
     });
@@ -118,14 +127,15 @@ struct ConvexHullBase::Impl {
     internal::require_finite(coordinates, ambient(), "a coordinate");
     check_room(coordinates.size() / ambient());
     if (coordinates.empty()) return false;
-    internal::require_tolerance_within(options.tolerance, coordinates, ambient(), state->sites().coordinates);
+    internal::require_tolerance_within(options.tolerance, coordinates, ambient(), state->sites().coordinates,
+                                       scale.factors());
     return true;
   }
   void insert_range(std::span<const double> coordinates) {
     if (!check_points(coordinates)) return;
     make_exact();
     std::unique_ptr<const TolerantHull> made;
-    const auto make = [&] { made = std::make_unique<const TolerantHull>(*state, options, true); };
+    const auto make = [&] { made = std::make_unique<const TolerantHull>(*state, scale, options, true); };
     state->insert_range(coordinates, options, options.tolerance > 0 ? make : std::function<void()>{});
     analysis_of_state.reset();
     tolerant = std::move(made);
@@ -135,7 +145,7 @@ struct ConvexHullBase::Impl {
       throw Error(Errc::invalid_argument, "extreme points alone are inserted into an empty hull only");
     if (!check_points(coordinates)) return {};
     if (options.tolerance > 0)
-      if (auto necessary = hull::find_necessary_hull(coordinates, dimension, options)) {
+      if (auto necessary = hull::find_necessary_hull(coordinates, dimension, scale, options)) {
         auto made = std::make_unique<const TolerantHull>(*necessary->state, options.tolerance);
         std::vector<SignedIndex> rows(necessary->rows.begin(), necessary->rows.end());
         analysis_of_state.reset();
@@ -148,7 +158,7 @@ struct ConvexHullBase::Impl {
     std::vector<SignedIndex> rows(hull.rows.begin(), hull.rows.end());
     // What is shown with a tolerance depends on the extreme points alone.
     std::unique_ptr<const TolerantHull> made;
-    if (options.tolerance > 0) made = std::make_unique<const TolerantHull>(*hull.state, options, true);
+    if (options.tolerance > 0) made = std::make_unique<const TolerantHull>(*hull.state, scale, options, true);
     analysis_of_state.reset();
     tolerant = std::move(made);
     state = std::move(hull.state);
@@ -188,8 +198,8 @@ struct ConvexHullBase::Impl {
     if (!analysis_of_state) {
       const HullState& of = shown_when_locked();
       const double distance = tolerant ? tolerant->max_distance() : 0;
-      analysis_of_state = std::make_unique<HullAnalysis>(of, hull::HullTolerance{options.tolerance, distance},
-                                                         options.threads);
+      analysis_of_state =
+          std::make_unique<HullAnalysis>(of, hull::HullTolerance{scale, distance}, options.threads);
     }
     return *analysis_of_state;
   }
@@ -203,7 +213,18 @@ struct ConvexHullBase::Impl {
   bool in_flat(const double* q) const {
     const kernel::AffineHull& flat = shown().affine_hull();
     return flat.dimension() == dimension || flat.contains(q) ||
-           (options.tolerance > 0 && hull::is_near_flat(flat.basis(), q, dimension, options.tolerance));
+           (options.tolerance > 0 && is_near(flat.basis(), q));
+  }
+  bool is_near(std::span<const double* const> flat, const double* q) const {
+    if (scale.is_one()) return hull::is_near_flat(flat, q, dimension, options.tolerance);
+    std::vector<double> rows;
+    for (const double* point : flat) rows.insert(rows.end(), point, point + dimension);
+    rows.insert(rows.end(), q, q + dimension);
+    rows = scale.scaled(rows);
+    std::vector<const double*> points;
+    for (std::size_t i = 0; i <= flat.size(); ++i) points.push_back(rows.data() + i * ambient());
+    return hull::is_near_flat(std::span(points).first(flat.size()), points.back(), dimension,
+                              options.tolerance);
   }
   kernel::Grid grid_with(const double* q) const {
     kernel::Grid grid = shown().sites().grid;
@@ -214,7 +235,6 @@ struct ConvexHullBase::Impl {
 
 ConvexHullBase::ConvexHullBase(int dimension, const Options& options) {
   internal::require_dimension(dimension);
-  internal::require_tolerance(options.tolerance);
   internal::require_time_limit(options.time_limit);
   impl_ = std::make_unique<Impl>(dimension, options);
 }
@@ -242,6 +262,10 @@ std::size_t ConvexHullBase::num_duplicates() const { return impl_->state->num_du
 std::size_t ConvexHullBase::num_cells() const { return impl_->hull().num_cells(); }
 std::vector<int> ConvexHullBase::axes() const { return impl_->shown().sites().axes; }
 double ConvexHullBase::tolerance() const { return impl_->options.tolerance; }
+std::vector<double> ConvexHullBase::axis_tolerances() const {
+  return impl_->scale.is_one() ? std::vector<double>(impl_->ambient(), tolerance())
+                               : impl_->scale.tolerances();
+}
 double ConvexHullBase::max_distance() const { return impl_->max_distance(); }
 
 std::size_t ConvexHullBase::num_vertices() const {

@@ -81,7 +81,7 @@ ConvexHulls convex_hulls(const AnyPoints<>& points, int dimension, std::span<con
   // Sets so small are not worth an order.
   constexpr std::size_t small = 48;
   internal::require_dimension(dimension);
-  internal::refuse_tolerance(options.tolerance, "many hulls at once");
+  internal::refuse_tolerance(options.tolerance, options.axis_tolerances, "many hulls at once");
   points.require_dimension(dimension);
   const std::span<const double> coordinates = points.coordinates();
   check(coordinates, dimension, offsets);

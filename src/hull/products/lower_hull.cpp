@@ -252,6 +252,7 @@ LowerHullBase::LowerHullBase(const AnyPoints<>& points, int dimension, HullSide 
     throw Error(Errc::bad_dimension, "the number of coordinates is not a multiple of the dimension");
   internal::require_finite(coordinates, static_cast<std::size_t>(dimension), "a coordinate");
   internal::require_tolerance(options.tolerance);
+  internal::refuse_axis_tolerances(options.axis_tolerances, "lower and upper hulls");
   internal::require_time_limit(options.time_limit);
   internal::guarded("the hull", [&] {
     impl_ = std::make_unique<Impl>(dimension, side);

@@ -21,11 +21,11 @@ constexpr double absolute = 0x1p-500;
 
 class Search {
  public:
-  Search(std::span<const double> coordinates, int dimension, const Options& options)
+  Search(std::span<const double> coordinates, int dimension, double tolerance, const Options& options)
       : coordinates_(coordinates),
         d_(static_cast<std::size_t>(dimension)),
         n_(coordinates.size() / d_),
-        tolerance_(options.tolerance),
+        tolerance_(tolerance),
         meter_(options.progress, 0),
         sieve_(coordinates, dimension) {}
 
@@ -139,14 +139,40 @@ class Search {
   kernel::NearestInHull nearest_;
 };
 
+/// The hull of the same rows, with other coordinates: of those that are vertices, which come first.
+std::unique_ptr<HullState> hull_of_rows(std::span<const double> coordinates, int dimension,
+                                        const NecessaryHull& found, double tolerance,
+                                        const Options& options) {
+  const auto d = static_cast<std::size_t>(dimension);
+  const std::vector<Index>& corners = found.state->hull().cells;
+  const std::size_t num_vertices = std::size_t{*std::max_element(corners.begin(), corners.end())} + 1;
+  std::vector<double> vertices;
+  for (std::size_t i = 0; i < num_vertices; ++i) {
+    const auto row = coordinates.subspan(found.rows[i] * d, d);
+    vertices.insert(vertices.end(), row.begin(), row.end());
+  }
+  Options quiet;
+  quiet.seed = options.seed;
+  quiet.tolerance = tolerance;  // then every row gets a site
+  auto state = std::make_unique<HullState>(dimension);
+  state->insert_range(vertices, quiet);
+  for (std::size_t i = num_vertices; i < found.rows.size(); ++i)
+    state->add_without_inserting(coordinates.data() + found.rows[i] * d);
+  return state;
+}
+
 }  // namespace
 
 std::optional<NecessaryHull> find_necessary_hull(std::span<const double> coordinates, int dimension,
-                                                 const Options& options) {
+                                                 const internal::AxisScale& scale, const Options& options) {
   constexpr std::size_t least_rows = 64, most_rows = 8192;
   const std::size_t n = coordinates.size() / static_cast<std::size_t>(dimension);
   if (dimension < 2 || n < least_rows || n > most_rows) return std::nullopt;
-  return Search(coordinates, dimension, options).run();
+  if (scale.is_one()) return Search(coordinates, dimension, scale.tolerance(), options).run();
+  const std::vector<double> scaled = scale.scaled(coordinates);
+  auto found = Search(scaled, dimension, scale.tolerance(), options).run();
+  if (found) found->state = hull_of_rows(coordinates, dimension, *found, scale.tolerance(), options);
+  return found;
 }
 
 }  // namespace delone::hull

@@ -3,6 +3,7 @@
 // they are the choice of vertex_choice.hpp, however they are found.
 #pragma once
 
+#include "base/axis_scale.hpp"
 #include "hull/hull_state.hpp"
 
 #include <delone/options.hpp>
@@ -20,6 +21,8 @@ struct NecessaryHull {
   std::vector<Index> rows;           ///< for each row of the state, the row of the input
 };
 
+/// `scale`: with the tolerance; all distances are those where axes are scaled.
+///
 /// The hull of those points whose distance from the hull of the others exceeds the tolerance, if it is proved
 /// that all other points are within the tolerance of it, and that the points are near no flat of fewer
 /// dimensions. Then choose_in_flat() finds nothing, and choose_vertices() keeps the necessary sites and no
@@ -32,6 +35,6 @@ struct NecessaryHull {
 /// doi:10.1145/235815.235821). Covered: a point of the hull of the vertices, given by weights, is within the
 /// tolerance. Cost: O(h·n·d) for h vertices, and a walk over cells for each point.
 std::optional<NecessaryHull> find_necessary_hull(std::span<const double> coordinates, int dimension,
-                                                 const Options& options);
+                                                 const internal::AxisScale& scale, const Options& options);
 
 }  // namespace delone::hull

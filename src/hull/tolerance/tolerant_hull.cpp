@@ -4,6 +4,7 @@
 #include "base/progress_meter.hpp"
 #include "hull/growing_flat.hpp"
 #include "hull/hull_analysis.hpp"
+#include "hull/scaled_sites.hpp"
 #include "hull/tolerance/vertex_choice.hpp"
 
 #include <algorithm>
@@ -37,7 +38,8 @@ std::vector<Index> well_spread_first(const BoundarySites& sites, std::vector<Ind
 
 }  // namespace
 
-TolerantHull::TolerantHull(const HullState& exact, const Options& options, bool shows_progress)
+TolerantHull::TolerantHull(const HullState& exact, const internal::AxisScale& scale, const Options& options,
+                           bool shows_progress)
     : exact_(exact) {
   const int k = exact.affine_hull().dimension();
   if (k < 1) return;
@@ -45,14 +47,16 @@ TolerantHull::TolerantHull(const HullState& exact, const Options& options, bool 
   internal::ProgressMeter meter(shows_progress ? options.progress : nobody, 0);
   const std::function<void()> alive = [&] { meter(0); };
   const HullAnalysis analysis(exact);
-  const ExtremeSites extreme(exact.sites(), analysis.facet_sites());
+  const ScaledSites scaled(exact.sites(), scale);
+  const BoundarySites& sites = scaled.get();
+  const ExtremeSites extreme(sites, analysis.facet_sites());
   VertexChoice choice;
-  std::vector<int> axes = exact.sites().axes;
-  if (auto in_flat = choose_in_flat(exact.sites(), extreme, k, options.tolerance, alive)) {
+  std::vector<int> axes = sites.axes;
+  if (auto in_flat = choose_in_flat(sites, extreme, k, scale.tolerance(), alive)) {
     choice = std::move(in_flat->vertices);
     axes = std::move(in_flat->axes);
   } else {
-    choice = choose_vertices(exact.sites(), extreme, options.tolerance, alive);
+    choice = choose_vertices(sites, extreme, scale.tolerance(), alive);
     // The cells of the exact hull may have corners in the middle of its faces.
     std::vector<Index> corners = exact.hull().cells;
     std::sort(corners.begin(), corners.end());
@@ -63,7 +67,7 @@ TolerantHull::TolerantHull(const HullState& exact, const Options& options, bool 
   max_distance_ = choice.max_distance;
   Options quiet;
   quiet.seed = options.seed;
-  const auto vertices = well_spread_first(exact.sites(), std::move(choice.sites), axes.size());
+  const auto vertices = well_spread_first(sites, std::move(choice.sites), axes.size());
   own_ = std::make_unique<const HullState>(exact, vertices, std::move(axes), quiet);
 }
 

@@ -2,6 +2,7 @@
 // A hull with a tolerance, made from an exact one.
 #pragma once
 
+#include "base/axis_scale.hpp"
 #include "hull/hull_state.hpp"
 
 #include <memory>
@@ -11,9 +12,11 @@ namespace delone::hull {
 /// The exact hull of some vertices of a hull, or the hull of their projections if all points are near a flat.
 class TolerantHull {
  public:
-  /// `exact` must outlive this object and must not change. REQUIRES options.tolerance > 0. With
-  /// `shows_progress` the callback of the options is called with 1, and may cancel.
-  TolerantHull(const HullState& exact, const Options& options, bool shows_progress);
+  /// `exact` must outlive this object and must not change. `scale`: with the tolerance, which is not 0; all
+  /// distances are those where axes are scaled. With `shows_progress` the callback of the options is called
+  /// with 1, and may cancel.
+  TolerantHull(const HullState& exact, const internal::AxisScale& scale, const Options& options,
+               bool shows_progress);
 
   /// For an exact hull that was made of the chosen vertices; no point is farther from it than max_distance.
   TolerantHull(const HullState& of_vertices, double max_distance)

@@ -73,6 +73,14 @@ void visit_tolerance(Data& data, Visitor&& visit) {
   if constexpr (!std::is_const_v<Data>) data.tolerance = tolerance.empty() ? 0 : tolerance[0];
 }
 
+/// One number for each axis, left out where all are the same.
+template <class Data, class Visitor>
+void visit_axis_tolerances(Data& data, Visitor&& visit) {
+  if (!std::is_const_v<Data> || !data.axis_tolerances.empty())
+    visit(Array{.name = "axis_tolerances", .required = false, .finite = true}, data.axis_tolerances,
+          {static_cast<std::size_t>(data.dimension)});
+}
+
 template <SameData<ComplexData> Data, class Visitor>
 void for_each_array(Data& data, Visitor&& visit) {
   const auto d = static_cast<std::size_t>(data.dimension),
@@ -110,6 +118,7 @@ void for_each_array(Data& data, Visitor&& visit) {
   visit(Array{.name = "tolerance", .required = false, .finite = true}, tolerance, {2});
   if constexpr (!std::is_const_v<Data>)
     if (tolerance.size() == 2) data.tolerance = tolerance[0], data.max_distance = tolerance[1];
+  visit_axis_tolerances(data, visit);
 }
 
 template <SameData<IntersectionData> Data, class Visitor>
@@ -155,6 +164,7 @@ void for_each_array(Data& data, Visitor&& visit) {
   visit(Array{"ray_directions"}, data.ray_directions, {data.num_rays(), d});
   visit(Array{"ray_points"}, data.ray_points, {data.num_rays(), k});
   visit_tolerance(data, visit);
+  visit_axis_tolerances(data, visit);
 }
 
 }  // namespace delone::io

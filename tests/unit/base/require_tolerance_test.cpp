@@ -42,6 +42,21 @@ TEST(RequireTolerance, IsNotLargerThanTheSet) {
   expect_refusal([&] { require_tolerance_within(7.5, points, 2, more); }, "7.5");
 }
 
+TEST(RequireTolerance, CountsWhereAxesAreScaled) {
+  const std::vector<double> points{1, 5, 2, 8}, huge{1, 0x1p1000, 2, 0};
+  EXPECT_NO_THROW(require_tolerance_within(12, points, 2, {}, std::vector<double>{1, 4}));
+  expect_refusal(
+      [&] {
+        require_tolerance_within(12.5, points, 2, {}, std::vector<double>{1, 4});
+      },
+      "whose longest side is 12");
+  expect_refusal(
+      [&] {
+        require_tolerance_within(1, huge, 2, {}, std::vector<double>{1, 0x1p60});
+      },
+      "differ too much for coordinates as large as those of axis 1");
+}
+
 TEST(RequireTolerance, OfOnePointMayBeAny) {
   EXPECT_NO_THROW(require_tolerance_within(7, std::vector<double>{1, 5}, 2));
   EXPECT_NO_THROW(require_tolerance_within(7, std::vector<double>{1, 5, 1, 5}, 2));
@@ -49,8 +64,12 @@ TEST(RequireTolerance, OfOnePointMayBeAny) {
 }
 
 TEST(RefuseTolerance, OfWhatHasNone) {
-  EXPECT_NO_THROW(refuse_tolerance(0, "triangulations"));
-  expect_refusal([] { refuse_tolerance(1, "triangulations"); }, "triangulations have no tolerance");
+  const std::vector<double> some{0.5, 0.5};
+  EXPECT_NO_THROW(refuse_tolerance(0, {}, "triangulations"));
+  expect_refusal([] { refuse_tolerance(1, {}, "triangulations"); }, "triangulations have no tolerance");
+  expect_refusal([&] { refuse_tolerance(0, some, "triangulations"); }, "triangulations have no tolerance");
+  EXPECT_NO_THROW(refuse_axis_tolerances({}, "lower hulls"));
+  expect_refusal([&] { refuse_axis_tolerances(some, "lower hulls"); }, "lower hulls have one tolerance");
 }
 
 }  // namespace

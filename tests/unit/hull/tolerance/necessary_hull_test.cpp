@@ -17,6 +17,8 @@
 #include <set>
 
 namespace delone::hull {
+using internal::AxisScale;
+
 namespace {
 
 std::vector<double> random_points(int d, std::size_t n, std::uint64_t seed) {
@@ -42,11 +44,11 @@ std::set<std::vector<double>> vertices_of(const HullState& state) {
 
 /// Whether the route was taken; if it was, expects the hull that the other one leads to.
 bool agrees_if_found(const std::vector<double>& points, int d, double tolerance) {
-  const auto found = find_necessary_hull(points, d, within(tolerance));
+  const auto found = find_necessary_hull(points, d, AxisScale(tolerance), {});
   if (!found) return false;
   HullState exact(d);
   exact.insert_range(points, {});
-  const TolerantHull reference(exact, within(tolerance), false);
+  const TolerantHull reference(exact, AxisScale(tolerance), {}, false);
   EXPECT_EQ(vertices_of(*found->state), vertices_of(reference.state()));
   EXPECT_EQ(found->state->hull().num_cells(), reference.state().hull().num_cells());
   EXPECT_EQ(found->rows.size(), found->state->num_rows());
@@ -93,22 +95,44 @@ TEST(NecessaryHull, OfRandomPointsAndLattices) {
 TEST(NecessaryHull, NoneWhereBinary64ProvesLess) {
   std::vector<double> flat = random_points(3, 100, 1);
   for (std::size_t i = 0; i < flat.size(); i += 3) flat[i + 2] = 0.25 * flat[i];
-  EXPECT_FALSE(find_necessary_hull(flat, 3, within(1e-13)));
+  EXPECT_FALSE(find_necessary_hull(flat, 3, AxisScale(1e-13), {}));
   for (std::size_t i = 0; i < flat.size(); i += 3) flat[i + 2] = 1e-9 * flat[i + 2] * flat[i + 1];
-  EXPECT_FALSE(find_necessary_hull(flat, 3, within(1e-13)));
+  EXPECT_FALSE(find_necessary_hull(flat, 3, AxisScale(1e-13), {}));
   std::vector<double> huge = random_points(3, 100, 2);
-  EXPECT_FALSE(find_necessary_hull(huge, 3, within(5)));
+  EXPECT_FALSE(find_necessary_hull(huge, 3, AxisScale(5), {}));
   for (double& x : huge) x *= 0x1p1000;
-  EXPECT_FALSE(find_necessary_hull(huge, 3, within(0x1p960)));
-  EXPECT_FALSE(find_necessary_hull(random_points(3, 10, 2), 3, within(1e-13)));
-  EXPECT_FALSE(find_necessary_hull(random_points(1, 100, 2), 1, within(1e-13)));
+  EXPECT_FALSE(find_necessary_hull(huge, 3, AxisScale(0x1p960), {}));
+  EXPECT_FALSE(find_necessary_hull(random_points(3, 10, 2), 3, AxisScale(1e-13), {}));
+  EXPECT_FALSE(find_necessary_hull(random_points(1, 100, 2), 1, AxisScale(1e-13), {}));
+}
+
+TEST(NecessaryHull, OfScaledColumnsIsThatOfTheSameRows) {
+  const auto box = test::turned(test::subdivided_box("box", {1, 2, 0.5}, 6, false), 2);
+  for (const std::vector<double>& points : {box, random_points(3, 300, 4)}) {
+    const auto plain = find_necessary_hull(points, 3, AxisScale(1e-13), {});
+    ASSERT_TRUE(plain);
+    const std::array<double, 3> units{0x1p40, 1, 0x1p-70};
+    std::vector<double> scaled = points, tolerances;
+    for (std::size_t i = 0; i < points.size(); ++i) scaled[i] *= units[i % 3];
+    for (const double unit : units) tolerances.push_back(1e-13 * unit);
+    const auto found = find_necessary_hull(scaled, 3, AxisScale(0, tolerances, 3), {});
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->rows, plain->rows);
+    EXPECT_EQ(found->state->num_rows(), plain->state->num_rows());
+    EXPECT_EQ(found->state->hull().num_cells(), plain->state->hull().num_cells());
+    for (std::size_t row = 0; row < found->rows.size(); ++row)
+      EXPECT_TRUE(std::equal(units.begin(), units.end(), found->state->point_of_row(row),
+                             [&, p = plain->state->point_of_row(row)](double unit, double x) mutable {
+                               return x == *p++ * unit;
+                             }));
+  }
 }
 
 TEST(NecessaryHull, TakesMorePointsLikeTheHullOfAll) {
   const std::vector<double> points = test::turned(test::subdivided_box("box", {1, 2, 0.5}, 6, false), 3);
   const std::vector<double> more{0.1, 0.2, 5, 7, 0.5, 0.5};
   constexpr double tolerance = 1e-13;
-  ASSERT_TRUE(find_necessary_hull(points, 3, within(tolerance)));
+  ASSERT_TRUE(find_necessary_hull(points, 3, AxisScale(tolerance), {}));
   ConvexHull<3> hull(within(tolerance)), reference(within(tolerance));
   const auto rows = hull.insert_extreme_points(PointsView(points, 3));
   reference.insert_range(PointsView(points, 3));
@@ -134,9 +158,8 @@ TEST(NecessaryHull, TakesMorePointsLikeTheHullOfAll) {
 
 TEST(NecessaryHull, CanBeCancelled) {
   const std::vector<double> points = test::turned(test::subdivided_box("box", {1, 2, 0.5}, 6, false), 3);
-  Options options = within(1e-13);
-  options.progress = [](double) { return false; };
-  EXPECT_THROW(find_necessary_hull(points, 3, options), Error);
+  const Options options{.progress = [](double) { return false; }};
+  EXPECT_THROW(find_necessary_hull(points, 3, AxisScale(1e-13), options), Error);
 }
 
 }  // namespace
