@@ -76,9 +76,9 @@ struct RowNumbers {
   bool is_single = false;
 };
 
-/// An integer, an array of shape (m,) of integers of any type, or a mask: one bool for each of the rows, which
-/// `num_rows` counts. Raises TypeError and ValueError for anything else, InputError for negative numbers.
-/// `list`: how messages about single rows begin, see place_in().
+/// An integer, an array of shape (m,) of integers of any type, or a mask: one bool for each of the rows,
+/// which `num_rows` counts. Raises TypeError and ValueError for anything else, InputError for negative
+/// numbers. `list`: how messages about single rows begin, see place_in().
 RowNumbers as_rows(const py::object& object, const std::string& name, const std::string& list,
                    const std::function<std::size_t()>& num_rows);
 
