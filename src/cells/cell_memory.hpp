@@ -10,6 +10,7 @@
 #pragma once
 
 #include "base/growable_array.hpp"
+#include "base/progress_meter.hpp"
 
 #include <delone/types.hpp>
 
@@ -231,23 +232,32 @@ class CellMemory {
     }
   }
   /// Copies the first `cells` cells of a memory of the same dimension; their links alone if that is all it
-  /// has.
+  /// has. Throws std::bad_alloc and Errc::cancelled; some cells are then unspecified.
   void copy(const CellMemory& other, std::size_t cells) {
     layout_ = other.layout_;
     if (layout_.links_are_apart()) {
       reserve_links(cells);
-      std::copy_n(other.links_.data(), cells * layout_.link_stride(), links_.data());
+      copy_entries(other.links_, cells * layout_.link_stride(), links_);
       if (other.capacity_ < cells) return;
     }
     reserve(cells);
-    std::copy_n(other.words_.data(), cells * layout_.functional_stride(), words_.data());
-    if (layout_.certificates_are_apart())
-      std::copy_n(other.certificates_.data(), cells, certificates_.data());
+    copy_entries(other.words_, cells * layout_.functional_stride(), words_);
+    if (layout_.certificates_are_apart()) copy_entries(other.certificates_, cells, certificates_);
   }
 
  private:
   /// Words after the last cell, so that vectors may reach beyond its ids.
   static constexpr std::size_t spare = 4;
+
+  /// With a cancellation point before every few megabytes.
+  template <class T>
+  static void copy_entries(const GrowableArray<T>& from, std::size_t size, GrowableArray<T>& to) {
+    constexpr std::size_t piece = std::size_t{1} << 19;
+    for (std::size_t first = 0; first < size; first += piece) {
+      internal::cancellation_point();
+      std::copy_n(from.data() + first, std::min(piece, size - first), to.data() + first);
+    }
+  }
 
   CellLayout<K> layout_;
   std::size_t capacity_ = 0, link_capacity_ = 0;

@@ -2,6 +2,7 @@
 #include <delone/cell_numbers.hpp>
 
 #include "base/guarded.hpp"
+#include "base/quick_rounds.hpp"
 
 namespace delone {
 
@@ -9,7 +10,11 @@ CellNumbers::CellNumbers(const Complex& complex) {
   internal::guarded("the numbers of cells", [&] {
     row_of_slot_.assign(complex.num_cell_slots(), -1);
     anchors_.reserve(complex.num_finite_cells() / rows_per_anchor + 1);
-    for (const CellId cell : complex.finite_cells()) add(index(cell));
+    internal::QuickRounds round;
+    for (const CellId cell : complex.finite_cells()) {
+      round();
+      add(index(cell));
+    }
   });
 }
 

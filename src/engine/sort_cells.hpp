@@ -14,6 +14,8 @@
 #include "base/atomic_ref.hpp"
 #include "base/growable_array.hpp"
 #include "base/parallel.hpp"
+#include "base/progress_meter.hpp"
+#include "base/quick_rounds.hpp"
 #include "cells/cell_memory.hpp"
 #include "cells/move_cells.hpp"
 #include "engine/cell_store.hpp"
@@ -50,7 +52,8 @@ class CellSorter {
         ranks_(order.has_gaps ? order.size : 0),
         end_(std::size_t{order.size} + 1) {}
 
-  /// Throws std::bad_alloc, and then nothing has changed.
+  /// Throws std::bad_alloc and Errc::cancelled, and then nothing has changed: there are cancellation points
+  /// until the first cell is written.
   void run() {
     if (!ranks_.empty()) find_ranks();
     find_keys();
@@ -84,12 +87,15 @@ class CellSorter {
   }
   /// The number of vertices before each place.
   void find_ranks() {
-    for (Index cell = 0; cell < cells_.num_slots(); ++cell)
-      if (!cells_.is_vacant(cell))
-        for (int i = 0; i <= K; ++i) {
-          const Index v = cells_.vertex(cell, i);
-          ranks_[places_.empty() ? v : places_[v]] = 1;
-        }
+    internal::QuickRounds round;
+    for (Index cell = 0; cell < cells_.num_slots(); ++cell) {
+      round();
+      if (cells_.is_vacant(cell)) continue;
+      for (int i = 0; i <= K; ++i) {
+        const Index v = cells_.vertex(cell, i);
+        ranks_[places_.empty() ? v : places_[v]] = 1;
+      }
+    }
     std::exclusive_scan(ranks_.begin(), ranks_.end(), ranks_.begin(), Index{0});
   }
 
@@ -98,6 +104,7 @@ class CellSorter {
     const Index num_slots = cells_.num_slots();
     of_slots_ = array_of<Index>(2 * std::size_t{num_slots});
     internal::parallel_for(threads_, num_slots, part, [&](std::size_t first, std::size_t last) {
+      internal::cancellation_point();
       for (auto cell = static_cast<Index>(first); cell < last; ++cell) {
         if (cells_.is_vacant(cell)) {
           key(cell)[0] = invalid_index;
@@ -124,6 +131,7 @@ class CellSorter {
     for (Index& place : end_) place = std::exchange(before, before + place);
     entries_ = array_of<std::uint64_t>(cells_.num_cells());
     internal::parallel_for(threads_, cells_.num_slots(), part, [&](std::size_t first, std::size_t last) {
+      internal::cancellation_point();
       for (auto cell = static_cast<Index>(first); cell < last; ++cell)
         if (const Index newest = key(cell)[0]; newest != invalid_index)
           entries_[add(end_[newest], 1)] = pair(key(cell)[1], cell);
@@ -141,6 +149,7 @@ class CellSorter {
   void number_cells() {
     internal::parallel_for(threads_, end_.size() - 1, part, [&](std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v) {
+        internal::cancellation_point();
         const std::size_t begin = v > 0 ? end_[v - 1] : 0, end = end_[v];
         sort({entries_.data() + begin, end - begin});
         for (std::size_t n = begin; n < end; ++n) {
@@ -223,8 +232,8 @@ class CellSorter {
   GrowableArray<std::uint64_t> entries_;
 };
 
-/// Sorts all cells; there are no vacant slots then. Throws std::bad_alloc, and then changes nothing. Cost
-/// O(k²) per cell, and for a moment some 20 bytes for each.
+/// Sorts all cells; there are no vacant slots then. Throws std::bad_alloc and Errc::cancelled, and then
+/// changes nothing. Cost O(k²) per cell, and for a moment some 20 bytes for each.
 template <int K>
 void sort_cells(CellMemory<K>& memory, CellStore<K>& cells, const VertexOrder& order, unsigned threads) {
   CellSorter<K>(memory, cells, order, threads).run();

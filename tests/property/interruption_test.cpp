@@ -12,6 +12,7 @@
 #include <delone/measures.hpp>
 #include <delone/natural_neighbors.hpp>
 #include <delone/point_locator.hpp>
+#include <delone/point_sets.hpp>
 #include <delone/progress.hpp>
 #include <delone/trim.hpp>
 #include <delone/voronoi.hpp>
@@ -92,6 +93,33 @@ TEST(Interruption, QuestionsCanBeAskedAgain) {
   is_stopped(2, [&] { static_cast<void>(hull.to_data()); });
   EXPECT_EQ(hull.num_facets(), same.num_facets());
   EXPECT_EQ(hull.f_vector(), same.f_vector());
+}
+
+/// Sorting is in place: it asks until it writes to the first cell.
+TEST(Interruption, CellsThatWereToBeSortedAreAsBefore) {
+  const std::vector<double> points = make_point_set("uniform", 3, 40000, 7),
+                            more = make_point_set("uniform", 3, 500, 8);
+  Delaunay<> triangulation(points, 3, {.threads = 4});
+  Delaunay<> same = triangulation.clone();
+  const std::vector<SignedIndex> cells = triangulation.to_data().cells;
+  for (int patience = 1; patience <= 20; ++patience) {
+    const bool stopped = is_stopped(patience, [&] { triangulation.sort_cells(); });
+    EXPECT_TRUE(stopped || patience > 1 || triangulation.statistics().threads < 2);
+    if (!stopped) break;
+    ASSERT_EQ(triangulation.to_data().cells, cells);
+  }
+  same.sort_cells();
+  EXPECT_EQ(triangulation.to_data().cells, same.to_data().cells);
+  triangulation.insert_range(more);
+  same.insert_range(more);
+  EXPECT_EQ(triangulation.hash(), same.hash());
+  EXPECT_TRUE(check(triangulation.to_data()).ok);
+}
+
+TEST(Interruption, CopiesAsk) {
+  const Delaunay<> triangulation(make_point_set("uniform", 3, 20000, 9), 3);
+  EXPECT_TRUE(is_stopped(1, [&] { static_cast<void>(triangulation.clone()); }));
+  EXPECT_EQ(triangulation.clone().hash(), triangulation.hash());
 }
 
 TEST(Interruption, EverythingThatTakesLongAsks) {

@@ -21,7 +21,7 @@ QUICK = {
     "delone.ComplexData": "__init__",
     "delone.ConvexHulls": "__getitem__ __init__ __iter__ __len__ __repr__",
     "delone.Changes": "__init__ __repr__",
-    "delone.Delaunay": "__copy__ __getstate__ clone",
+    "delone.Delaunay": "__getstate__",
     "delone.FurthestSite": "__copy__ __getstate__ clone hidden num_hidden",
     "delone.Regular": "__copy__ __getstate__ clone hidden num_hidden weights",
     "delone.HalfspaceIntersection": "__getstate__ columns dimension halfspaces num_halfspaces plot rank state statistics to_meshio to_pyvista "
@@ -39,7 +39,7 @@ QUICK = {
                             "num_vertices plot point_region points ray_directions ray_points ray_vertices region region_offsets region_points "
                             "region_vertices ridge ridge_offsets ridge_points ridge_vertices to_data to_frame to_meshio to_pyvista to_vtk tolerance vertices",
     "delone._core.Triangulation": "can_undo cell_ids changes compact_ids has_row num_rows record_changes record_undo undo vertex_ids "
-                                  "__len__ __repr__ affine_dimension axes cell_of_point cells columns dimension duplicates hash hull_facets neighbors "
+                                  "__len__ __repr__ affine_dimension axes cell_of_point columns dimension duplicates hash hull_facets "
                                   "num_cells num_duplicates num_points num_vertices plot points statistics to_data to_frame to_meshio to_pyvista to_vtk "
                                   "vertex_of_point",
     "delone._locations.Locations": "__getitem__ __init__ __iter__ __len__ __repr__",
@@ -79,6 +79,7 @@ def halfspaces(n, d):
 HULL = "hull = delone.ConvexHull(wild(14, 9))"
 DIAGRAM = "diagram = delone.Voronoi(random.random((250, 7)))"
 SCRATCH = "import tempfile; from delone import tiles; folder = tempfile.TemporaryDirectory()"
+MILLIONS = "t = delone.Delaunay(random.random((1_000_000, 3)))"  # seven of cells, which have no numbers yet
 SIMPLEX = "points = np.r_[np.zeros((1, 8)), np.eye(8)]"
 LONG = {
     "delone.Delaunay.__init__": ("", "delone.Delaunay(random.random((300_000, 6)))"),
@@ -92,16 +93,21 @@ LONG = {
     "delone.Regular.edit": (f"{SIMPLEX}; made = delone.Regular(points, np.zeros(9))",
                             "made.edit(insert=random.random((300_000, 8)), insert_weights=np.zeros(300_000))", "set_weights"),
     "delone.FurthestSite.edit": (f"{SIMPLEX}; made = delone.FurthestSite(points)", "made.edit(insert=sphere(300_000, 8))"),
+    "delone.Delaunay.clone": (MILLIONS, "for _ in range(20): t.clone()", "__copy__"),
+    "delone._core.Triangulation.cells": (MILLIONS, "t.cells", "neighbors"),
     "delone._core.Triangulation.remove": ("t = delone.Delaunay(random.random((3000, 6)))", "t.remove(np.arange(600))", "move"),
     "delone._core.Triangulation.find_simplex": ("t = delone.Delaunay(random.random((500, 5)))", "t.find_simplex(random.random((6_000_000, 5)))"),
     "delone._core.Triangulation.locate": ("t = delone.Delaunay(random.random((300, 7)))", "t.locate(random.random((1_000_000, 7)))"),
     "delone._core.Triangulation.barycentric": ("t = delone.Delaunay(random.random((2000, 2)))", "t.barycentric(wild(1_000_000, 2))"),
     "delone._core.Triangulation.nearest": ("t = delone.Delaunay(random.random((5000, 4)))", "t.nearest(random.random((20_000, 4)), k=500)"),
+    "delone._core.Triangulation.nearest, millions": ("t = delone.Delaunay(random.random((300_000, 3)))", "t.nearest(random.random((3_000_000, 3)))"),
     "delone._core.Triangulation.faces": ("t = delone.Delaunay(random.random((20_000, 5)))", "t.faces(1)"),
     "delone._core.Triangulation.alpha_values": ("t = delone.Delaunay(random.random((20_000, 5)))", "t.alpha_values(0)", "alpha_filtration"),
     "delone._core.Triangulation.alpha_complex": ("t = delone.Delaunay(random.random((20_000, 5)))", "t.alpha_complex(0.3)"),
     "delone._core.Triangulation.circumradii": ("t = delone.Delaunay(random.random((10_000, 6)))", "t.circumradii", "circumcenters"),
     "delone._core.Triangulation.qualities": ("t = delone.Delaunay(random.random((10_000, 6)))", "t.qualities()"),
+    "delone._core.Triangulation.circumradii, millions": (MILLIONS, "t.circumradii"),
+    "delone._core.Triangulation.qualities, millions": (MILLIONS, "t.qualities()"),
     "delone._core.Triangulation.to_html": ("t = delone.Delaunay(random.random((300_000, 3)))", "t.to_html()"),
     "delone.AlphaComplex.faces": ("complex = delone.Delaunay(random.random((20_000, 5))).alpha_complex(0.3)", "complex.faces(1)", "save"),
     "delone._core.Triangulation.trim": ("t = delone.Delaunay(random.random((20_000, 4)))", "t.trim(0.5)"),
@@ -114,7 +120,7 @@ LONG = {
     "delone.ConvexHull.contains": ("hull = delone.ConvexHull(wild(11, 8))", "hull.contains(wild(300_000, 8))"),
     "delone.ConvexHull.visible_facets": (HULL, "[hull.visible_facets(each) for each in wild(1000, 9)]"),
     "delone.ConvexHull.plane_distance": ("hull = delone.ConvexHull(sphere(300, 5)); hull.equations", "hull.plane_distance(random.random((30_000, 5)))"),
-    "delone.ConvexHull.num_facets": ("hull = delone.ConvexHull(sphere(2000, 7))", "hull.num_facets",
+    "delone.ConvexHull.num_facets": ("hull = delone.ConvexHull(sphere(3000, 7))", "hull.num_facets",
                                      "__len__ num_vertices num_ridges cells neighbors facet_of_cell vertices vertex_of_point facets ridges "
                                      "equations equation_errors point_kinds points to_data __getstate__"),
     "delone.ConvexHull.to_html": ("hull = delone.ConvexHull(sphere(300_000, 3))", "hull.to_html()"),

@@ -3,14 +3,17 @@
 // triangulation that grows.
 #include "engine/sort_cells.hpp"
 
+#include "base/progress_meter.hpp"
 #include "engine_support.hpp"
 #include "scale.hpp"
 
+#include <delone/error.hpp>
 #include <delone/point_sets.hpp>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -70,6 +73,42 @@ void expect_same_order(std::size_t usual) {
 TEST(SortCells, OrderDependsOnVerticesAlone) {
   expect_same_order<2>(2000);
   expect_same_order<3>(1000);  // certificates are apart
+}
+
+TEST(SortCells, CancelledSortingChangesNothing) {
+  const Index n = 400;
+  const std::vector<double> rows = make_point_set("uniform", 3, n, 3);
+  Points<3> points(rows, 3, 0, 1);
+  points.seed();
+  for (Index v = 5; v <= n; ++v) points.build.insert(v);
+  const CellStore<3>& cells = std::as_const(points.build).cells();
+  const auto links = [&] {
+    std::vector<Index> all;
+    for (Index cell = 0; cell < cells.num_slots(); ++cell)
+      for (int i = 0; i <= 3 && !cells.is_vacant(cell); ++i) {
+        all.push_back(cells.vertex(cell, i));
+        all.push_back(cells.neighbors(cell)[i]);
+      }
+    return all;
+  };
+  const std::vector<Index> before = links();
+  const std::function<bool(double)> stop = [](double) { return false; };
+  for (const bool has_gaps : {false, true}) {
+    const internal::ProgressMeter meter(stop);
+    EXPECT_THROW(points.build.sort_cells({n + 1, has_gaps}, 2), Error);
+  }
+  EXPECT_EQ(links(), before);
+  EXPECT_THROW(
+      {
+        const internal::ProgressMeter meter(stop);
+        CellMemory<3> copy(3);
+        copy.copy(points.build.memory(), cells.num_slots());
+      },
+      Error);
+  const auto sphere = points.sphere();
+  points.build.sort_cells({n + 1, false}, 1);
+  EXPECT_NE(links(), before);
+  EXPECT_EQ(points.sphere(), sphere);
 }
 
 TEST(SortCells, SortedCellsGrow) {
