@@ -5,7 +5,7 @@
 #include "docs_voronoi.hpp"
 #include "docstring.hpp"
 #include "html.hpp"
-#include "messages.hpp"
+#include "messages/in_quotes.hpp"
 #include "module.hpp"
 #include "saving.hpp"
 #include "triangulation.hpp"
@@ -129,7 +129,7 @@ std::vector<double> at_points(const HeldDiagram& held, const std::vector<double>
 
 py::array region_volumes(const HeldDiagram& held, const py::object& object, const std::string& at) {
   if (at != "regions" && at != "points")
-    throw py::value_error("at: 'regions' or 'points', not " + in_quotes(at));
+    throw py::value_error("at: 'regions' or 'points', not " + messages::in_quotes(at));
   const std::optional<Box> box = as_box(object);
   Supervisor supervisor;
   std::vector<double> volumes = supervisor.run([&] {
