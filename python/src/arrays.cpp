@@ -284,7 +284,7 @@ Tolerances as_tolerances(const py::object& object, int dimension) {
   result.tolerance = PyFloat_AsDouble(object.ptr());
   if (PyErr_Occurred() != nullptr) {
     PyErr_Clear();
-    throw py::type_error("tolerance: a number was expected, not " + shown(object));
+    throw py::type_error("tolerance: a number was expected, not " + represented(object));
   }
   return result;
 }
