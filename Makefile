@@ -42,7 +42,7 @@ demo:                 ## triangulate, check and draw three real data sets
 	cmake --build --preset release -j $(jobs) --target delone_cli
 	tools/demo.sh build/release build/demo
 
-test: test-release test-asan  ## run all tests, then the unit and fuzz tests under sanitizers
+test: test-release test-fuzz  ## run all tests, then the fuzz tests under sanitizers
 
 test-release:         ## run all tests of a release build
 	tools/install_dependencies.sh test
@@ -50,11 +50,11 @@ test-release:         ## run all tests of a release build
 	cmake --build --preset test -j $(jobs)
 	ctest --preset test
 
-test-asan:            ## run smaller unit and fuzz tests under clang's AddressSanitizer and UndefinedBehaviorSanitizer
+test-fuzz:            ## replay the inputs of the fuzz tests under clang's AddressSanitizer and UndefinedBehaviorSanitizer
 	tools/install_dependencies.sh test clang
 	cmake --preset asan $(launcher)
-	cmake --build --preset asan -j $(jobs)
-	ctest --preset asan
+	cmake --build --preset asan-fuzz -j $(jobs)
+	ctest --preset asan-fuzz
 
 fuzz:                 ## run every fuzz target under sanitizers for five minutes; FUZZ_SECONDS=60: for one minute
 	tools/install_dependencies.sh test clang
@@ -64,6 +64,12 @@ fuzz:                 ## run every fuzz target under sanitizers for five minutes
 
 matrix:               ## build and test all other configurations and print a table, in about an hour; KINDS="tsan mpi": only these
 	tools/matrix.py $(KINDS)
+
+asan:                 ## run smaller unit and fuzz tests under AddressSanitizer and UndefinedBehaviorSanitizer
+	tools/install_dependencies.sh test clang
+	cmake --preset asan $(launcher)
+	cmake --build --preset asan -j $(jobs)
+	ctest --preset asan
 
 tsan:                 ## run the tests that use threads under clang's ThreadSanitizer
 	tools/install_dependencies.sh test clang

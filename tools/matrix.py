@@ -19,6 +19,7 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 KINDS = {
+    "asan": "AddressSanitizer and UndefinedBehaviorSanitizer",
     "portable": "standard C++ only, without threads",
     "libcxx": "clang with libc++",
     "aarch64": "64-bit ARM, under QEMU",
