@@ -60,6 +60,42 @@ std::optional<Box> box_of(const ViewOptions& options, int dimension) {
   return Box{{options.box.begin(), options.box.begin() + d}, {options.box.begin() + d, options.box.end()}};
 }
 
+constexpr std::size_t many_cells = 200'000;  // notes tell the size of their page
+
+/// What a page draws of a result: how many, what they are called, and about how many bytes each takes.
+struct Content {
+  std::size_t count;
+  const char* name;
+  double bytes;
+};
+Content content_of(const Diagram& diagram) {
+  return {diagram.num_regions(), "regions", diagram.dimension() == 3 ? 210.0 : 34.0};
+}
+Content content_of(const IntersectionData& data) { return {data.num_facets(), "facets", 34}; }
+Content content_of(const ComplexData& data) { return {data.num_cells(), "cells", 13}; }
+Content content_of(const HullData& data) { return {data.num_cells(), "cells", 13}; }
+
+/// The page of a result. The bar, which showed how it was built, begins again.
+template <class Result, class... BoxOrNothing>
+std::string make_page(const Result& result, const HtmlOptions& html, const ViewOptions& options,
+                      ProgressBar& bar, const BoxOrNothing&... box) {
+  constexpr double program = 0.6;  // megabytes
+  const Content content = content_of(result);
+  const bool tells = content.count >= many_cells && !options.build.quiet;
+  const std::string name = output_name(options.build.output);
+  bar.restart();
+  if (tells)
+    print_note(fmt::format("{}: a page of {} {}, about {:.0f} MB\n", name, content.count, content.name,
+                           program + content.bytes * static_cast<double>(content.count) / 1e6));
+  const Execution how{.threads = options.build.threads, .progress = bar.callback()};
+  std::string page = to_html(result, html, box..., how);
+  bar.clear();
+  if (tells)
+    print_note(fmt::format("{}: {} {}, {:.1f} MB\n", name, content.count, content.name,
+                           static_cast<double>(page.size()) / 1e6));
+  return page;
+}
+
 /// The diagram of the points and weights of a file, made again: regions are cut at a box exactly.
 std::string page_of(const VoronoiData& data, HtmlOptions html, const ViewOptions& options) {
   html.column_names = data.column_names;
@@ -69,13 +105,13 @@ std::string page_of(const VoronoiData& data, HtmlOptions html, const ViewOptions
   const Execution how{.threads = options.build.threads};
   const Options build = options.build.to_options(bar);
   if (data.kind == DataKind::furthest_voronoi)
-    return to_html(FurthestVoronoi(FurthestSite<>(data.points, data.dimension, build), wanted, how), html,
-                   box_of(options, data.dimension));
+    return make_page(FurthestVoronoi(FurthestSite<>(data.points, data.dimension, build), wanted, how), html,
+                     options, bar, box_of(options, data.dimension));
   if (data.weights.empty())
-    return to_html(Voronoi(Delaunay<>(data.points, data.dimension, build), wanted, how), html,
-                   box_of(options, data.dimension));
-  return to_html(PowerDiagram(Regular<>(data.points, data.weights, data.dimension, build), wanted, how), html,
-                 box_of(options, data.dimension));
+    return make_page(Voronoi(Delaunay<>(data.points, data.dimension, build), wanted, how), html, options, bar,
+                     box_of(options, data.dimension));
+  return make_page(PowerDiagram(Regular<>(data.points, data.weights, data.dimension, build), wanted, how),
+                   html, options, bar, box_of(options, data.dimension));
 }
 
 std::string page_of(const PointTable& points, const HtmlOptions& html, const ViewOptions& options) {
@@ -83,13 +119,13 @@ std::string page_of(const PointTable& points, const HtmlOptions& html, const Vie
   const StageGuard guard(Stage::building);
   const Options build = options.build.to_options(bar);
   if (options.product == "hull")
-    return to_html(ConvexHull<>(points.coordinates, points.dimension, build).to_data(), html);
+    return make_page(ConvexHull<>(points.coordinates, points.dimension, build).to_data(), html, options, bar);
   Delaunay<> triangulation(points.coordinates, points.dimension, build);
   triangulation.sort_cells();
   if (options.product == "voronoi")
-    return to_html(Voronoi(triangulation, {}, {.threads = options.build.threads}), html,
-                   box_of(options, points.dimension));
-  return to_html(triangulation.to_data(), html);
+    return make_page(Voronoi(triangulation, {}, {.threads = options.build.threads}), html, options, bar,
+                     box_of(options, points.dimension));
+  return make_page(triangulation.to_data(), html, options, bar);
 }
 
 int run_view(const ViewOptions& options) {
@@ -117,10 +153,13 @@ int run_view(const ViewOptions& options) {
     page = about(name, [&] {
       return std::visit(
           [&](const auto& held) {
-            if constexpr (std::is_same_v<std::decay_t<decltype(held)>, VoronoiData>)
+            if constexpr (std::is_same_v<std::decay_t<decltype(held)>, VoronoiData>) {
               return page_of(held, html, options);
-            else
-              return to_html(held, html);
+            } else {
+              ProgressBar bar(options.build.quiet);
+              const StageGuard guard(Stage::building);
+              return make_page(held, html, options, bar);
+            }
           },
           *data);
     });

@@ -44,4 +44,9 @@ void ProgressBar::clear() {
   drawn_ = false;
 }
 
+void ProgressBar::restart() {
+  clear();
+  start_ = last_ = Clock::now();
+}
+
 }  // namespace delone::cli

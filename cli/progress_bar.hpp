@@ -19,6 +19,8 @@ class ProgressBar {
   std::function<bool(double)> callback();
   /// Removes the bar from the terminal.
   void clear();
+  /// Removes it, and begins with other work.
+  void restart();
 
  private:
   using Clock = std::chrono::steady_clock;

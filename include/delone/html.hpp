@@ -38,10 +38,11 @@ struct HtmlOptions {
 
 /// A page that shows a triangulation: its cells with their circumradii and qualities
 /// (QualityMeasure::radius_ratio; flat cells, which files can have, have neither), its hull, and for k = d =
-/// 2, 3 its Voronoi diagram. In more than three dimensions the viewer chooses three coordinates or principal
-/// axes. Throws Errc::invalid_argument if options do not suit the data, if values are infinite, and if the
-/// arrays disagree; not_finite; too_many beyond 2^32 − 2 rows; out_of_memory; cancelled.
-/// Cost: linear, and one sort of the vertices; about 20 bytes of page for each triangle of the plane.
+/// 2, 3 its Voronoi diagram. Rows that were removed are left out. In more than three dimensions the viewer
+/// chooses three coordinates or principal axes. Throws Errc::invalid_argument if options do not suit the
+/// data, if values are infinite, and if the arrays disagree; not_finite; too_many beyond 2^32 − 2 rows;
+/// out_of_memory; cancelled. Cost: linear, and one sort of the vertices; about 13 bytes of page for each
+/// triangle or tetrahedron, 20 without zlib.
 DELONE_EXPORT std::string to_html(const ComplexData& data, const HtmlOptions& options = {},
                                   const Execution& how = {});
 

@@ -20,7 +20,7 @@ namespace delone::view {
 
 #if DELONE_WITH_ZLIB
 
-bool deflate(std::string& bytes) {
+bool deflate(std::string& bytes, const std::function<void(double)>& tell) {
   z_stream stream{};
   if (deflateInit(&stream, 6) != Z_OK) return false;
   const std::unique_ptr<z_stream, int (*)(z_stream*)> ends(&stream, &deflateEnd);
@@ -35,6 +35,7 @@ bool deflate(std::string& bytes) {
       const std::size_t size = std::min(part, bytes.size() - taken);
       stream.next_in = reinterpret_cast<Bytef*>(bytes.data() + taken);
       stream.avail_in = static_cast<uInt>(size);
+      if (tell) tell(static_cast<double>(taken) / static_cast<double>(bytes.size()));
       taken += size;
     }
     stream.next_out = reinterpret_cast<Bytef*>(room.data());
@@ -50,7 +51,7 @@ bool deflate(std::string& bytes) {
 
 #else
 
-bool deflate(std::string&) { return false; }
+bool deflate(std::string&, const std::function<void(double)>&) { return false; }
 
 #endif
 

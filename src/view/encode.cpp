@@ -28,15 +28,14 @@ constexpr std::uint64_t largest_code(int bytes) { return (std::uint64_t{1} << (8
 
 Box box_of(std::span<const double> points, int dimension, Box box) {
   const auto d = static_cast<std::size_t>(dimension);
-  if (box.low.empty() && !points.empty()) {
-    box.low.assign(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(d));
-    box.high = box.low;
-  }
-  if (box.low.empty()) box.low.assign(d, 0), box.high.assign(d, 0);
+  if (box.low.empty()) box.low.assign(d, internal::infinity), box.high.assign(d, -internal::infinity);
   for (std::size_t i = 0, axis = 0; i < points.size(); ++i, axis = axis + 1 == d ? 0 : axis + 1) {
+    // A NaN is neither less nor greater.
     box.low[axis] = std::min(box.low[axis], points[i]);
     box.high[axis] = std::max(box.high[axis], points[i]);
   }
+  for (std::size_t axis = 0; axis < d; ++axis)
+    if (box.low[axis] > box.high[axis]) box.low[axis] = box.high[axis] = 0;
   return box;
 }
 

@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,7 +26,8 @@ struct Box {
   std::vector<double> low, high;
 };
 
-/// The bounding box of points of d finite coordinates each, enlarged to contain `box` if that has limits.
+/// The bounding box of points of d coordinates each, enlarged to contain `box` if that has limits. NaN, the
+/// coordinates of removed rows, is nowhere.
 Box box_of(std::span<const double> points, int dimension, Box box = {});
 
 inline constexpr int position_bytes = 3;
@@ -52,8 +54,9 @@ std::string simplices(std::span<const SignedIndex> cells, int corners);
 std::string polytopes(std::span<const SignedIndex> face_counts, std::span<const SignedIndex> face_sizes,
                       std::span<const SignedIndex> face_vertices);
 
-/// Compressed (zlib, RFC 1950) if the build has zlib and this makes it smaller; says whether.
-bool deflate(std::string& bytes);
+/// Compressed (zlib, RFC 1950) if the build has zlib and this makes it smaller; says whether. `tell` hears
+/// from time to time which part is done, 0 … 1.
+bool deflate(std::string& bytes, const std::function<void(double)>& tell = {});
 
 void append_base64(std::string& text, std::string_view bytes);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The page: viewer.html with the description of the scene and its arrays in it.
+#include "base/progress_meter.hpp"
 #include "io/file.hpp"
 #include "view/encode.hpp"
 #include "view/scene.hpp"
@@ -9,7 +10,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <utility>
@@ -22,7 +25,7 @@ using Json = nlohmann::ordered_json;
 
 class PageWriter {
  public:
-  explicit PageWriter(const Scene& scene) : scene_(scene) {}
+  explicit PageWriter(const Scene& scene) : scene_(scene), meter_(nobody_, num_items(scene)) {}
 
   std::string finish() {
     put_positions();
@@ -47,8 +50,22 @@ class PageWriter {
   }
 
  private:
-  void put_block(const char* name, Json block, std::string bytes) {
-    block["deflated"] = deflate(bytes);
+  /// All that the page holds: the measure of its progress.
+  static std::size_t num_items(const Scene& scene) {
+    std::size_t count = 0;
+    for (const auto* items : {&scene.vertices, &scene.sites, &scene.radius, &scene.quality, &scene.volume,
+                              &scene.values, &scene.weights})
+      count += items->size();
+    for (const auto* items : {&scene.cells, &scene.face_vertices, &scene.rows, &scene.groups, &scene.names,
+                              &scene.site_rows, &scene.segments})
+      count += items->size();
+    return count;
+  }
+  void put_block(const char* name, Json block, std::size_t num_items, std::string bytes) {
+    block["deflated"] = deflate(bytes, [&](double part) {
+      meter_(done_ + static_cast<std::size_t>(part * static_cast<double>(num_items)));
+    });
+    meter_(done_ += num_items);
     blocks_[name] = std::move(block);
     body_ += "<script type=\"application/octet-stream\" id=\"delone-" + std::string(name) + "\">";
     append_base64(body_, bytes);
@@ -60,7 +77,7 @@ class PageWriter {
     block["items"] = items.size();
     block["bytes"] = bytes;
     block["stride"] = stride;
-    put_block(name, std::move(block), planes(items, bytes, stride));
+    put_block(name, std::move(block), items.size(), planes(items, bytes, stride));
   }
   void put_positions() {
     box_ = box_of(scene_.sites, scene_.dimension,
@@ -71,10 +88,11 @@ class PageWriter {
   }
   void put_cells() {
     if (scene_.corners > 0)
-      put_block("cells", {{"coding", "simplices"}, {"items", scene_.cells.size()}},
+      put_block("cells", {{"coding", "simplices"}, {"items", scene_.cells.size()}}, scene_.cells.size(),
                 simplices(scene_.cells, scene_.corners));
     else
       put_block("cells", {{"coding", "polytopes"}, {"items", scene_.face_counts.size()}},
+                scene_.face_vertices.size(),
                 polytopes(scene_.face_counts, scene_.face_sizes, scene_.face_vertices));
   }
   void put_integers(const char* name, const std::vector<SignedIndex>& items) {
@@ -129,6 +147,9 @@ class PageWriter {
   }
 
   const Scene& scene_;
+  const std::function<bool(double)> nobody_;
+  internal::ProgressMeter meter_;  // counts for that of to_html()
+  std::size_t done_ = 0;           // of the items
   Box box_;
   Json blocks_ = Json::object();
   std::string body_;

@@ -46,8 +46,8 @@ Scene scene_of(const HtmlOptions& options, int dimension, const char* kind,
                const std::vector<std::string>& column_names = {});
 
 /// Keeps of `points`, d coordinates each, those that cells and segments refer to, as vertices in an order in
-/// which neighbors are close to each other, and renumbers. `rows` becomes the numbers that points had. With
-/// `merge`, points at the same place after rounding become one.
+/// which neighbors are close to each other, and renumbers. Others may be NaN. `rows` becomes the numbers that
+/// points had. With `merge`, points at the same place after rounding become one.
 void take_vertices(Scene& scene, std::span<const double> points, bool merge = false);
 
 /// The values of the options. `row_of`: the row of each vertex (`of_vertices`) or of each cell;

@@ -57,6 +57,19 @@ Scene scene_of_cells(const HtmlOptions& options, const char* kind, const Data& d
   return scene;
 }
 
+/// That the rows that are there are finite: those that were removed are left out.
+void require_finite_rows(const ComplexData& data) {
+  const auto d = static_cast<std::size_t>(data.dimension);
+  const std::size_t n = data.num_points();
+  for (std::size_t first = 0, end = 0; first < n; first = end + 1) {
+    for (end = first; end < n && !data.is_removed(end);) ++end;
+    io::require_finite(std::span(data.points).subspan(first * d, (end - first) * d), data.dimension, "page",
+                       {}, first);
+    if (!data.weights.empty())
+      io::require_finite(std::span(data.weights).subspan(first, end - first), 1, "page: weights", {}, first);
+  }
+}
+
 /// That what is shown of an intersection refers to what there is.
 void require_numbers_of(const IntersectionData& data) {
   require_rows(data.facet_halfspaces, data.num_halfspaces(), "facet_halfspaces");
@@ -163,13 +176,13 @@ std::string to_html(const ComplexData& data, const HtmlOptions& options, const E
   const internal::ProgressMeter meter(how.progress);
   return io::guarded("page", [&] {
     io::validate(data, "page");
-    io::require_finite(data.points, data.dimension, "page");
-    io::require_finite(data.weights, 1, "page: weights");
-    view::Scene scene =
-        view::scene_of_cells(options, "triangulation", data, std::max(data.affine_dimension + 1, 0));
+    view::require_finite_rows(data);
+    const bool is_alpha = data.kind == DataKind::alpha_complex;
+    view::Scene scene = view::scene_of_cells(options, is_alpha ? "alpha" : "triangulation", data,
+                                             std::max(data.affine_dimension + 1, 0));
     const int k = data.affine_dimension;
     scene.affine_dimension = k;
-    scene.dual = k == data.dimension && (k == 2 || k == 3);
+    scene.dual = !is_alpha && k == data.dimension && (k == 2 || k == 3);
     if (k >= 1) {
       auto shapes = internal::shapes_of_cells(data.points, data.dimension, data.cells, k + 1);
       scene.radius = std::move(shapes.radius);
@@ -180,7 +193,10 @@ std::string to_html(const ComplexData& data, const HtmlOptions& options, const E
       if (!data.weights.empty()) scene.weights.push_back(data.weights[static_cast<std::size_t>(row)]);
     view::take_values(scene, options,
                       {.num_rows = data.num_points(), .row_of = scene.rows, .of_vertices = true});
-    if (scene.title.empty()) scene.title = data.weights.empty() ? "Triangulation" : "Regular triangulation";
+    if (scene.title.empty())
+      scene.title = is_alpha               ? "Alpha complex"
+                    : data.weights.empty() ? "Triangulation"
+                                           : "Regular triangulation";
     scene.summary = fmt::format("{} and {}, dimension {}", view::counted(scene.num_cells, "cell"),
                                 view::vertices_of(scene.num_vertices()), data.dimension);
     return view::page_of(scene);

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """delone view, and the format html."""
 import json
+import os
 import re
 import unittest
 
@@ -28,6 +29,18 @@ class View(Case):
         self.file("2", "7\n" * 5)  # the number is that of a column
         self.assertEqual(self.scene(points, "--values", "2", cwd=self.folder.name)["valueName"], "depth")
         self.assertFalse(self.scene(self.path("delaunay.npz"), "--values", values)["valueOfVertices"])
+
+    def test_many_cells_tell_their_size(self):
+        points = self.uniform(2, 101_000)
+        page, path = self.run_delone("view", points, "-o", self.path("page.html")), self.path("page.html")
+        before, after = page.stderr.decode().splitlines()
+        cells, expected = re.fullmatch(re.escape(path) + r": a page of (\d+) cells, about (\d+) MB", before).groups()
+        size = re.fullmatch(re.escape(path) + rf": {cells} cells, ([\d.]+) MB", after).group(1)
+        self.assertGreater(int(cells), 200_000)
+        self.assertAlmostEqual(float(size), os.path.getsize(path) / 1e6, delta=0.06)
+        self.assertLess(abs(int(expected) - float(size)), 0.6 * float(size))  # without zlib pages are larger
+        self.assertEqual(self.run_delone("view", "-q", points, "-o", path, "--force").stderr, b"")
+        self.assertEqual(self.run_delone("view", self.uniform(2, 100), "-o", path, "--force").stderr, b"")
 
     def test_what_is_refused(self):
         points = self.uniform(2, 10)

@@ -80,11 +80,11 @@ void write(const std::string& path, const ComplexData& data, const std::string& 
   const std::string name = io::output_name(path);
   io::guarded(name, [&] {
     io::validate(data, name);
+    if (chosen == "html") return write_text(path, to_html(data));
     io::require_all_rows(data, name);
     io::require_finite(data.points, data.dimension, name);
     io::require_finite(data.weights, 1, name + ": weights");
     io::refuse_binary_output(path, chosen);
-    if (chosen == "html") return write_text(path, to_html(data));
     if (chosen != "npz" && chosen != "json" && chosen != "txt" && chosen != "npy")
       io::require_rows_in_range(data, name);
     io::AtomicFile file(path);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -104,6 +105,11 @@ TEST(ViewEncode, PositionsAreRoundedByAtMostTheirError) {
             (std::vector<std::uint32_t>{0, 8388608, 16777215}));
   EXPECT_EQ(view::codes_of_positions(std::vector<double>{3, 3}, view::box_of(std::vector<double>{3, 3}, 2)),
             (std::vector<std::uint32_t>{0, 0}));
+  // Removed rows are nowhere.
+  const view::Box around = view::box_of(std::vector<double>{std::nan(""), std::nan(""), 2, 5, 1, 7}, 2);
+  EXPECT_EQ(around.low, (std::vector<double>{1, 5}));
+  EXPECT_EQ(around.high, (std::vector<double>{2, 7}));
+  EXPECT_EQ(view::box_of(std::vector<double>{std::nan("")}, 1).high, std::vector<double>{0});
   // What is no place within the box has the lowest one.
   const double infinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(view::codes_of_positions(std::vector<double>{infinity, -infinity, std::nan(""), 2}, {{1}, {2}}),
@@ -128,6 +134,18 @@ TEST(ViewEncode, DeflateOfAllSizes) {
     EXPECT_LT(text.size(), before.size() / 20);
     EXPECT_EQ(text[0], 'x');  // the header of zlib
   }
+}
+
+TEST(ViewEncode, DeflateTellsHowMuchIsDone) {
+  std::string text;
+  for (int i = 0; i < 400000; ++i) text += "de";
+  std::vector<double> parts;
+  if (!view::deflate(text, [&](double part) { parts.push_back(part); })) GTEST_SKIP() << "built without zlib";
+  ASSERT_GT(parts.size(), 4u);
+  EXPECT_TRUE(std::is_sorted(parts.begin(), parts.end()));
+  EXPECT_EQ(parts.front(), 0);
+  EXPECT_GT(parts.back(), 0.8);
+  EXPECT_LT(parts.back(), 1);
 }
 
 TEST(ViewEncode, Numbers) {

@@ -3,6 +3,7 @@
 // tests/site/test_viewer.py.
 #include "error_code.hpp"
 
+#include <delone/alpha.hpp>
 #include <delone/convex_hull.hpp>
 #include <delone/delaunay.hpp>
 #include <delone/halfspaces.hpp>
@@ -13,6 +14,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -109,6 +112,55 @@ TEST(ToHtml, CanBeStopped) {
   int calls = 0;
   const ProgressScope scope([&](double) { return ++calls < 2; });
   EXPECT_EQ(test::code_of([&] { to_html(data); }), Errc::cancelled);
+}
+
+TEST(ToHtml, TellsHowMuchIsDone) {
+  ComplexData data;
+  data.dimension = data.affine_dimension = 2;
+  std::uint64_t state = 1;
+  const auto next = [&] { return (state = state * 6364136223846793005u + 1442695040888963407u) >> 40; };
+  for (int i = 0; i < 60000; ++i) data.points.push_back(static_cast<double>(next()));
+  for (int i = 0; i < 900000; ++i) data.cells.push_back(static_cast<SignedIndex>(next() % 30000));
+  std::vector<double> fractions;
+  to_html(data, {}, {.progress = [&](double fraction) {
+            fractions.push_back(fraction);
+            return true;
+          }});
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  const auto between =
+      std::count_if(fractions.begin(), fractions.end(), [](double f) { return f > 0 && f < 1; });
+  EXPECT_GT(between, 2);
+}
+
+TEST(ToHtml, RemovedRowsAreLeftOut) {
+  Regular<> t(square, std::vector<double>(6, 0.0), 2);
+  const std::vector<double> values{1, 2, 3, 4, 5, 6};
+  t.remove(Index{0});
+  t.remove(Index{4});
+  const auto scene = description(to_html(t.to_data(), {.values = values}));
+  EXPECT_EQ(scene["numCells"], 1);
+  EXPECT_EQ(scene["numVertices"], 3);
+  EXPECT_EQ(scene["low"], (std::vector<double>{0, 0}));
+  EXPECT_EQ(scene["high"], (std::vector<double>{1, 1}));
+  EXPECT_EQ(scene["blocks"]["value"]["low"], 2);
+  EXPECT_EQ(description(to_html(PowerDiagram<>(t), {.values = values}))["numCells"], 3);
+  // A row that is there has to have a place.
+  auto wrong = t.to_data();
+  wrong.points[2] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(test::code_of([&] { to_html(wrong); }), Errc::not_finite);
+  wrong = t.to_data();
+  wrong.weights[1] = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(test::code_of([&] { to_html(wrong); }), Errc::not_finite);
+}
+
+TEST(ToHtml, AlphaComplexes) {
+  const Delaunay<> t(square, 2);
+  const auto scene = description(to_html(AlphaComplex(t, 0.52).to_data()));
+  EXPECT_EQ(scene["kind"], "alpha");
+  EXPECT_EQ(scene["title"], "Alpha complex");
+  EXPECT_FALSE(scene["dual"]);
+  EXPECT_LT(scene["numCells"], 4);
+  EXPECT_GT(scene["numCells"], 0);
 }
 
 TEST(ToHtml, NothingAndOnePoint) {
