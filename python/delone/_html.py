@@ -133,6 +133,30 @@ def triangulation(self):
 
 
 @safely
+def alpha_complex(self):
+    """The cells, of space the boundary."""
+    whole = self.triangulation
+    points, k = whole.points, whole.affine_dimension
+    boundary, singular = self.boundary, len(self.singular_facets)
+    figures = [*_common(whole), ("radius", self.radius if self.radius == self.radius else None), ("cells", len(self)),
+               ("boundary facets", len(boundary)), ("singular facets", singular or None)]
+    of = len(boundary) if k == 3 else len(self)
+    if not of:
+        return page("AlphaComplex", figures, "", "")
+    step = of // (CORNERS // max(3, k)) + 1
+    shapes = points[boundary[::step] if k == 3 else whole.cells[self.cell_numbers[::step]]]
+    corners = shapes.reshape(-1, whole.dimension)
+    picture, width = Picture(corners.min(axis=0), corners.max(axis=0)), shapes.shape[1]
+    if width > 1:
+        picture.shapes(shapes if width < 4 else shapes[:, [*range(width), 0]], width == 3, **EDGE, **(FACE if width == 3 else {}))
+    if k == 2:
+        picture.shapes(points[boundary[::len(boundary) // (CORNERS // 2) + 1]], False, **BORDER)
+    if len(shapes) <= 60:
+        picture.dots(corners, **DOTS)
+    return page("AlphaComplex", figures, picture, _drawn(len(shapes), of, "boundary facets" if k == 3 else "cells") + _seen(whole.dimension))
+
+
+@safely
 def convex_hull(self):
     figures = [*_common(self), ("vertices", self.num_vertices), ("facets", self.num_facets), ("ridges", self.num_ridges),
                ("duplicates", self.num_duplicates or None), ("tolerance", self.tolerance or None)]

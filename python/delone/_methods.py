@@ -15,7 +15,7 @@ OF = {
                        "to_html": _viewer.convex_hull, "save": _files.save, "to_data": _files.to_data, **_export.methods(_export.convex_hull)},
     _core.LowerHull: {"plot": _plot.lower_hull, "_repr_html_": _html.lower_hull, "to_frame": _frames.lower_hull, "save": _files.save,
                       "to_data": _files.to_data, **_export.methods(_export.lower_hull)},
-    _core.AlphaComplex: {"plot": _plot.alpha_complex, "save": _files.save_alpha, "to_data": _files.alpha_to_data,
+    _core.AlphaComplex: {"plot": _plot.alpha_complex, "_repr_html_": _html.alpha_complex, "to_html": _viewer.alpha_complex, "save": _files.save_alpha, "to_data": _files.alpha_to_data,
                          **_export.methods(_export.alpha_complex)},
     _core.Diagram: {"plot": _plot.diagram, "_repr_html_": _html.diagram, "to_frame": _frames.diagram, "to_html": _viewer.diagram,
                     "save": _files.save_diagram, "to_data": _files.to_data, **_export.methods(_export.diagram)},

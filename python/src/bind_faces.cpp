@@ -3,6 +3,7 @@
 #include "arrays.hpp"
 #include "docs_faces.hpp"
 #include "docstring.hpp"
+#include "html.hpp"
 #include "module.hpp"
 #include "pickling.hpp"
 #include "triangulation.hpp"
@@ -127,6 +128,15 @@ class HeldAlpha {
       });
     });
   }
+  std::string html(const HtmlOptions& options) const {
+    Supervisor supervisor;
+    return supervisor.run([&] {
+      return held_->with_engine([&](const Triangulation&) {
+        if (held_->version() != version_) throw has_changed();
+        return to_html(complex_->to_data(), options);
+      });
+    });
+  }
   std::string repr() const {
     return "<delone.AlphaComplex: " + std::to_string(size()) + " cells, " +
            std::to_string(complex_->boundary_cells().size()) + " boundary facets>";
@@ -183,7 +193,8 @@ void bind_faces(py::module_& module) {
       .def(py::pickle([](const HeldFaces& f) { return f.state(); },
                       [](const py::tuple& state) { return HeldFaces::restored(state); }));
 
-  py::class_<HeldAlpha>(module, "AlphaComplex", text(docs::faces::alpha_class))
+  py::class_<HeldAlpha> alpha(module, "AlphaComplex", text(docs::faces::alpha_class));
+  alpha
       .def_property_readonly("radius", &HeldAlpha::radius,
                              "The radius; NaN if the complex was made with `squared_radius`.")
       .def_property_readonly("triangulation", &HeldAlpha::triangulation,
@@ -201,6 +212,7 @@ void bind_faces(py::module_& module) {
       .def("faces", &HeldAlpha::faces, "dimension"_a, text(docs::faces::alpha_faces))
       .def("__len__", &HeldAlpha::size)
       .def("__repr__", &HeldAlpha::repr);
+  define_to_html(alpha, [](const HeldAlpha& held, const HtmlOptions& options) { return held.html(options); });
 
   py::type triangulation = py::type::of<Held>();
   const auto method = [&](const char* name, const char* doc, auto function, auto... arguments) {

@@ -109,6 +109,7 @@ LONG = {
     "delone._core.Triangulation.circumradii, millions": (MILLIONS, "t.circumradii"),
     "delone._core.Triangulation.qualities, millions": (MILLIONS, "t.qualities()"),
     "delone._core.Triangulation.to_html": ("t = delone.Delaunay(random.random((300_000, 3)))", "t.to_html()"),
+    "delone.AlphaComplex.to_html": ("complex = delone.Delaunay(random.random((300_000, 3))).alpha_complex(0.1)", "complex.to_html()"),
     "delone.AlphaComplex.faces": ("complex = delone.Delaunay(random.random((20_000, 5))).alpha_complex(0.3)", "complex.faces(1)", "save"),
     "delone._core.Triangulation.trim": ("t = delone.Delaunay(random.random((20_000, 4)))", "t.trim(0.5)"),
     "delone._core.Triangulation.transform": ("t = delone.Delaunay(random.random((100_000, 4)))", "t.transform"),

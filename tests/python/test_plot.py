@@ -260,6 +260,31 @@ def test_notebooks_show_intersections(rows):
     assert xml.etree.ElementTree.fromstring(page) is not None and "delone.HalfspaceIntersection" in page
 
 
+OTHERS = np.random.default_rng(2)
+
+
+@pytest.mark.parametrize("points, radius, drawn", [
+    (PLANE, 0.2, "all cells"), (SPACE, 0.3, "all boundary facets"), (FOUR, 0.6, "all cells"), ([[0.0], [1], [3]], 0.6, "all cells"), (PLANE, 0.0, "^$"),
+    (OTHERS.random((3000, 2)), 0.05, r"of 5 [89]\d\d cells"), (OTHERS.random((3000, 3)), 0.08, r"of \d \d\d\d boundary facets")])
+def test_notebooks_show_alpha_complexes(points, radius, drawn):
+    alpha = delone.Delaunay(points).alpha_complex(radius)
+    page = alpha._repr_html_()
+    assert len(page) < 20_500 and "delone.AlphaComplex" in page
+    figures = {row[0].text: row[1].text for row in xml.etree.ElementTree.fromstring(page).iter("tr")}
+    assert (figures["cells"], figures["boundary facets"]) == tuple(f"{len(of):,}".replace(",", " ") for of in (alpha, alpha.boundary))
+    assert figures["radius"] == f"{radius:.6g}"
+    assert re.search(drawn, "".join(re.findall(r"opacity:.7'>([^<]*)<", page)))
+    assert (page.count("<path") > 0) == (len(alpha) > 0)
+
+
+def test_alpha_complexes_of_changed_points_show_no_picture():
+    t = delone.Delaunay(PLANE)
+    alpha = t.alpha_complex(squared_radius=0.04)
+    assert "radius" not in re.sub("<svg.*</svg>", "", alpha._repr_html_())
+    t.insert_range([[5.0, 5]])
+    assert alpha._repr_html_() is None
+
+
 def test_what_notebooks_show_never_raises():
     broken = delone.Delaunay.__new__(delone.Delaunay)
     assert broken._repr_html_() is None

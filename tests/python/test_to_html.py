@@ -33,6 +33,38 @@ def test_pages(make, kind, cells, tmp_path):
     assert (tmp_path / "page.html").read_text() == page
 
 
+def test_alpha_complexes():
+    t = delone.Delaunay(POINTS)
+    alpha = t.alpha_complex(0.25)
+    assert 0 < len(alpha) < t.num_cells
+    page = scene(alpha.to_html(values=np.arange(40.0)))
+    assert page["kind"] == "alpha" and page["title"] == "Alpha complex" and page["numCells"] == len(alpha)
+    assert page["valueOfVertices"] and not page["dual"]
+    assert not scene(alpha.to_html(values=np.arange(len(alpha)), values_at="cells"))["valueOfVertices"]
+    with pytest.raises(ValueError, match="values_at: one of 'points', 'cells'"):
+        alpha.to_html(values=np.zeros(40), values_at="facets")
+    t.insert_range([[2.0, 2, 2]])
+    with pytest.raises(RuntimeError, match="points have been added"):
+        alpha.to_html()
+
+
+def test_removed_rows_are_left_out(tmp_path):
+    t = delone.Regular(POINTS, np.zeros(40))
+    t.remove([0, 7, 39])
+    page = t.to_html(values=np.arange(40.0))
+    rest = np.delete(POINTS, [0, 7, 39], axis=0)
+    assert not re.search("nan|null", page[page.index("delone-scene"):page.index("delone-positions")], re.IGNORECASE)
+    found = scene(page)
+    assert (found["numVertices"], found["numCells"]) == (37, delone.Delaunay(rest).num_cells)
+    assert found["low"] == rest.min(axis=0).tolist() and found["high"] == rest.max(axis=0).tolist()
+    assert (found["blocks"]["value"]["low"], found["blocks"]["value"]["high"]) == (1, 38)
+    assert scene(t.alpha_complex(np.inf).to_html())["numVertices"] == 37
+    t.save(tmp_path / "page.html")
+    assert scene((tmp_path / "page.html").read_text())["numVertices"] == 37
+    with pytest.raises(delone.Error, match="row 0 was removed"):
+        t.save(tmp_path / "page.npz")
+
+
 def test_values():
     t = delone.Delaunay(POINTS)
     page = scene(t.to_html(values=np.arange(40.0), value_name="height"))
