@@ -18,14 +18,14 @@ from PIL import Image  # noqa: E402
 from chromium import WEBGL, start, stop  # noqa: E402
 
 DELONE = os.environ.get("DELONE", "build/release/delone")
-SET = "const e = document.getElementById(arguments[0]); e.value = arguments[1]; e.dispatchEvent(new Event(arguments[2]));"
+SET = "const e = document.getElementById(arguments[0]); e.value = arguments[1]; e.dispatchEvent(new Event('change'));"
 
-# name: (arguments of view, settings; "off" is a click)
+# name: (arguments of delone, settings). README shows "protein", what a page opens with.
 PICTURES = {
-    "slice": (["uniform"], []),
-    "protein": (["data/protein.csv"], [("slice", "off"), ("filter-high", 640), ("color", "axis2")]),
-    "values": (["data/earthquakes.csv", "--columns", "longitude,latitude", "--values", "depth_km", "--title", "Earthquakes of a week"], [("scale", "rank")]),
-    "cars": (["data/cars.csv", "--columns", "Horsepower,Weight_in_lbs,Acceleration,Miles_per_Gallon", "--of", "hull", "--title", "Cars"], [("projection", "slanted")]),
+    "slice": (["view", "ball", "--title", "Points in a ball"], []),
+    "protein": (["alpha", "data/protein.csv", "--radius", "2.7"], []),
+    "values": (["view", "data/earthquakes.csv", "--columns", "longitude,latitude", "--values", "depth_km", "--title", "Earthquakes of a week"], []),
+    "cars": (["view", "data/cars.csv", "--columns", "Horsepower,Weight_in_lbs,Acceleration,Miles_per_Gallon", "--of", "hull", "--title", "Cars"], [("projection", "slanted")]),
 }
 
 
@@ -35,17 +35,14 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         page, points = pathlib.Path(folder) / "page.html", pathlib.Path(folder) / "points.npy"
         for name, (arguments, settings) in PICTURES.items():
-            if arguments[0] == "uniform":
+            if arguments[1] == "ball":
                 subprocess.run([DELONE, "generate", "ball", "-n", "3000", "-d", "3", "-o", points], check=True)
-                arguments = [points, "--title", "Points in a ball"]
-            subprocess.run([DELONE, "view", "-q", *arguments, "-o", page], check=True, cwd=ROOT)
+            command, *rest = [points if argument == "ball" else argument for argument in arguments]
+            subprocess.run([DELONE, command, "-q", *rest, "-o", page, "--force"], check=True, cwd=ROOT)
             browser.get(page.as_uri())
             wait(browser, "return window.delone?.picture.stats.firstFrameMs > 0")
             for element, value in settings:
-                if value == "off":
-                    browser.execute_script("document.getElementById(arguments[0]).click()", element)
-                else:
-                    browser.execute_script(SET, element, value, "input" if isinstance(value, int) else "change")
+                browser.execute_script(SET, element, value)
             wait(browser, "return !delone.picture.busy")
             time.sleep(0.3)
             picture = target / f"view_{name}.png"

@@ -11,6 +11,7 @@ import json
 import os
 import pathlib
 import random
+import re
 import shutil
 import statistics
 import subprocess
@@ -18,6 +19,7 @@ import tempfile
 import time
 import unittest
 
+from PIL import Image
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
@@ -25,6 +27,7 @@ from selenium.webdriver.common.keys import Keys
 from chromium import WEBGL, start, stop
 
 DELONE = os.environ.get("DELONE", "build/release/delone")
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 PICTURES = pathlib.Path(__file__).with_name("pictures.json")
 RENEW = bool(os.environ.get("RENEW"))
 
@@ -61,7 +64,7 @@ class Viewer(unittest.TestCase):
             "plane": cls.view("uniform", 300, 2), "space": cls.view("uniform", 400, 3), "four": cls.view("uniform", 40, 4),
             "hull": cls.view("ball", 400, 3, "--of", "hull"), "hull4": cls.view("cube01", 16, 4, "--of", "hull"),
             "diagram2": cls.view("uniform", 200, 2, "--of", "voronoi"), "diagram3": cls.view("uniform", 150, 3, "--of", "voronoi"),
-            "flat": cls.view("flat", 100, 3), "line": cls.view("collinear", 20, 2), "one": cls.view("equal", 3, 3),
+            "flat": cls.view("flat", 100, 3), "alpha": cls.alpha(), "line": cls.view("collinear", 20, 2), "one": cls.view("equal", 3, 3),
             "dodecahedron": cls.intersection(),
         }
 
@@ -79,6 +82,13 @@ class Viewer(unittest.TestCase):
         points, page = cls.folder / "points.npy", cls.folder / f"{kind}{n}-{d}{len(options)}.html"
         subprocess.run([DELONE, "generate", kind, "-n", str(n), "-d", str(d), "-o", points], check=True)
         subprocess.run([DELONE, "view", "-q", points, "-o", page, "--title", kind, *options], check=True)
+        return page
+
+    @classmethod
+    def alpha(cls):
+        points, page = cls.folder / "points.npy", cls.folder / "alpha.html"
+        subprocess.run([DELONE, "generate", "ball", "-n", "400", "-d", "3", "-o", points], check=True)
+        subprocess.run([DELONE, "alpha", "-q", points, "--radius", "0.3", "-o", page], check=True)
         return page
 
     @classmethod
@@ -308,8 +318,131 @@ class Viewer(unittest.TestCase):
         self.open("named")
         self.assertEqual(self.js("return document.title"), "</script><b>")
         self.assertEqual(self.js("return [delone.scene.columns, delone.scene.valueName]"), [["lon", "lat"], "depth"])
-        ends = [span.text for span in self.browser.find_elements(By.CSS_SELECTOR, "#legend .ends span")]
-        self.assertEqual(ends, ["1", "3", "5"])
+        self.assertEqual(self.ticks(), ["1", "2", "3", "4", "5"])
+        self.assertEqual(self.browser.find_element(By.CSS_SELECTOR, "#legend .why").text, "")
+        self.assertEqual(self.js("return document.getElementById('scale').value"), "linear")
+
+    def ticks(self):
+        return [span.text for span in self.browser.find_elements(By.CSS_SELECTOR, "#legend .ticks span")]
+
+    def test_one_value_does_not_fill_the_scale(self):
+        numbers, points, page = random.Random(2), self.folder / "skewed.csv", self.folder / "skewed.html"
+        values = [*range(1, 101), 1_000_000]
+        points.write_text("x,y,v\n" + "".join(f"{numbers.random()},{numbers.random()},{v}\n" for v in values))
+        subprocess.run([DELONE, "view", "-q", points, "--values", "v", "-o", page], check=True)
+        self.pages["skewed"] = page
+        self.open("skewed")
+        legend = self.browser.find_element(By.ID, "legend")
+        self.assertEqual(self.js("return document.getElementById('scale').value"), "rank")
+        self.assertEqual(legend.text.splitlines()[0], "v (by rank)")
+        self.assertIn("Most values are close together, so each color is used equally often.", " ".join(legend.text.splitlines()))
+        ticks = [float(text) for text in self.ticks()]
+        self.assertEqual((ticks[0], ticks[-1]), (1, 1e6))
+        self.assertTrue(all(abs(tick - number) < 3 for tick, number in zip(ticks[1:4], (26, 51, 76))))
+        colors = self.js("return Array.from(delone.color.scalars())")
+        self.assertLess(sum(color < 0.1 for color in colors), 15)
+        for scale, most in (("linear", 0.02), ("log", 0.34)):
+            self.choose("scale", scale)
+            self.assertNotIn("equally often", legend.text)
+            self.assertLess(sorted(self.js("return Array.from(delone.color.scalars())"))[-2], most)
+        self.assertEqual([float(text) for text in self.ticks() if text], [1, 31.62, 1000, 31620, 1e6])
+        self.choose("scale", "rank")
+        self.assertIn("Each color is used equally often.", " ".join(legend.text.splitlines()))
+
+    def test_equal_values_have_equal_ranks(self):
+        self.open("plane")
+        ranks = self.js("const q = Object.create(Object.getPrototypeOf(delone.quantities.get('axis0'))); q.sorted = Float32Array.of(0, 0, 0, 5);"
+                        "return [q.rankOf(0), q.rankOf(5)]")
+        self.assertAlmostEqual(ranks[0], 1 / 3)
+        self.assertEqual(ranks[1], 1)
+
+    def test_large_sets_show_an_outline(self):
+        self.pages["dust"] = self.view("uniform", 60_000, 2)
+        self.open("dust")
+        self.settle()
+        legend, cells = self.browser.find_element(By.ID, "legend"), self.js("return delone.scene.numCells")
+        state = "return [delone.isOutline, delone.picture.uniforms.colored.value, delone.picture.uniforms.edgeWidth.value > 0]"
+        self.assertEqual(self.js(state), [True, False, False])
+        self.assertIn(f"The outline of {cells // 1000}\u202f{cells % 1000:03} cells, too small to be seen here, and a sample of points.",
+                      " ".join(legend.text.splitlines()))
+        self.assertFalse(legend.find_element(By.CLASS_NAME, "bar").is_displayed())
+        self.assertLessEqual(self.js("return delone.overlays.sample.count"), 1500)
+        self.js("delone.picture.zoom(12)")
+        self.settle()
+        self.assertEqual(self.js(state), [False, True, True])
+        self.assertEqual(self.ticks()[0], "0")
+        self.js("delone.picture.zoom(1 / 12)")
+        self.settle()
+        self.assertEqual(self.js(state), [True, False, False])
+        self.choose("color", "radius")
+        self.assertEqual(self.js(state), [False, True, True])
+        self.choose("color", "axis0")
+        self.js("document.getElementById('outline').click()")
+        self.settle()
+        self.assertEqual(self.js(state), [False, True, True])  # what varies slowly is no dust
+
+    def test_large_sets_of_space_show_their_hull(self):
+        self.pages["fog"] = self.view("uniform", 30_000, 3)
+        self.browser.set_window_size(780, 200)
+        try:
+            self.open("fog")
+            self.settle()
+            cells = self.js("return delone.scene.numCells")
+            self.assertFalse(self.js("return delone.plane.on"))
+            self.assertEqual(self.js("return document.getElementById('color').value"), "axis2")
+            legend = self.browser.find_element(By.ID, "legend")
+            note = f"The outline of {cells // 1000}\u202f{cells % 1000:03} cells. Slice to see inside."
+            self.assertIn(note, " ".join(legend.text.splitlines()))
+            self.js("document.getElementById('slice').click()")
+            self.settle()
+            self.assertNotIn("outline", legend.text)
+        finally:
+            self.browser.set_window_size(1200, 800)
+        self.open("fog")
+        self.assertTrue(self.js("return delone.plane.on"))
+
+    def test_alpha_complexes_are_shown_whole(self):
+        self.open("alpha")
+        self.assertEqual(self.js("return [delone.plane.on, delone.numShown === delone.scene.numCells, delone.scene.dual]"), [False, True, False])
+        self.assertEqual(self.js("return document.getElementById('color').value"), "axis2")
+
+    def test_loading_shows_how_much_is_done(self):
+        self.pages["loaded"] = self.view("uniform", 30_000, 3)
+        added = self.browser.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": """
+            window.parts = []; window.texts = new Set();
+            new MutationObserver(() => {
+              const bar = document.querySelector("#notice progress");
+              if (bar?.hasAttribute("value")) { parts.push(bar.value); texts.add(document.querySelector("#notice p").textContent); }
+            }).observe(document, { attributes: true, subtree: true, attributeFilter: ["value"] });"""})
+        try:
+            self.open("loaded")
+        finally:
+            self.browser.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", added)
+        parts, texts = self.js("return [parts, [...texts]]")
+        self.assertGreater(len(parts), 3)
+        self.assertEqual(parts, sorted(parts))
+        self.assertTrue(0 < parts[0] < 0.5 < parts[-1] <= 1, parts)
+        cells = self.js("return delone.scene.numCells")
+        self.assertRegex(texts[0], rf"^Reading {cells // 1000}.{cells % 1000:03} cells, \d\.\d MB$")
+
+    def test_the_picture_of_the_readme_is_what_the_page_opens_with(self):
+        command, picture = re.search(r"(delone [^\n]*) -o protein\.html`[^!]*!\[[^]]*\]\((docs/pictures/view_\w+\.png)\)", (ROOT / "README.md").read_text()).groups()
+        page = self.folder / "protein.html"
+        subprocess.run([DELONE, *command.split()[1:], "-o", page], check=True, cwd=ROOT, stdout=subprocess.DEVNULL)
+        self.pages["readme"] = page
+        browser, profile = start([*WEBGL, "--window-size=1200,760", "--force-device-scale-factor=1.25"])
+        try:
+            self.open("readme", browser)
+            self.wait("return !delone.picture.busy", browser)
+            time.sleep(0.3)
+            shot = self.folder / "readme.png"
+            browser.save_screenshot(str(shot))
+        finally:
+            stop(browser, profile)
+        found, shown = (Image.open(file).convert("RGB").resize((48, 30)).tobytes() for file in (shot, ROOT / picture))
+        differences = sorted(abs(a - b) for a, b in zip(found, shown, strict=True))
+        self.assertLess(statistics.mean(differences), 3)
+        self.assertLess(differences[len(differences) * 98 // 100], 30)
 
     def test_many_triangles(self):
         large = bool(os.environ.get("LARGE"))

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From the text blocks of the page to typed arrays. src/view/encode.hpp writes them and describes the codes.
+// From the text blocks of the page to typed arrays. src/view/encode.hpp writes them and describes the codes. Generators yield the
+// part of their work that is done.
+import { counted } from "./panel.js";
+
+const STEP = 65536;  // items between two yields
 
 /** The bytes of the text of a block. */
 export function bytesOfBase64(text) {
@@ -17,15 +21,23 @@ async function inflate(bytes) {
 }
 
 /** Items of so many bytes: first all lowest bytes, then the next ones; each the difference from the item `stride` before. */
-export function itemsOfPlanes(bytes, { items, bytes: width, stride }) {
+export function* itemsOfPlanes(bytes, { items, bytes: width, stride }) {
   if (bytes.length !== items * width) throw new Error("The page is damaged: a block has a wrong length.");
   const result = new Uint32Array(items);
   for (let plane = 0; plane < width; ++plane) {
     const start = plane * items, shift = 8 * plane;
-    for (let i = 0; i < items; ++i) result[i] |= bytes[start + i] << shift;
+    for (let begin = 0; begin < items; begin += STEP) {
+      const end = Math.min(begin + STEP, items);
+      for (let i = begin; i < end; ++i) result[i] |= bytes[start + i] << shift;
+      yield (start + end) / (items * (width + 1));
+    }
   }
   const mask = width === 4 ? 0xffffffff : 2 ** (8 * width) - 1;
-  for (let i = stride; i < items; ++i) result[i] = (result[i] + result[i - stride]) & mask;
+  for (let begin = stride; begin < items; begin += STEP) {
+    const end = Math.min(begin + STEP, items);
+    for (let i = begin; i < end; ++i) result[i] = (result[i] + result[i - stride]) & mask;
+    yield (width + end / items) / (width + 1);
+  }
   return result;
 }
 
@@ -51,7 +63,7 @@ class VarintReader {
 }
 
 /** Simplices: corner 0 is the difference from corner 0 of the simplex before, the others from the corner before. */
-export function simplicesOfVarints(bytes, { items }, corners) {
+export function* simplicesOfVarints(bytes, { items }, corners) {
   const reader = new VarintReader(bytes);
   const result = new Uint32Array(items);
   let first = 0;
@@ -59,13 +71,14 @@ export function simplicesOfVarints(bytes, { items }, corners) {
     let vertex = first += reader.difference();
     result[i] = vertex;
     for (let j = 1; j < corners; ++j) result[i + j] = vertex += reader.difference();
+    if (i / corners % STEP === 0) yield i / items;
   }
   if (reader.at !== bytes.length) throw new Error("The page is damaged: a block has a wrong length.");
   return result;
 }
 
 /** Polytopes: for each the number of faces, for each face its number of vertices, then these as differences. */
-export function polytopesOfVarints(bytes, { items }) {
+export function* polytopesOfVarints(bytes, { items }) {
   const reader = new VarintReader(bytes);
   const faceOffsets = [0], vertices = [], cellOffsets = new Uint32Array(items + 1);
   let vertex = 0;
@@ -75,6 +88,7 @@ export function polytopesOfVarints(bytes, { items }) {
       faceOffsets.push(vertices.length);
     }
     cellOffsets[cell + 1] = faceOffsets.length - 1;
+    if (cell % 8192 === 0) yield cell / items;
   }
   return { cellOffsets, faceOffsets, vertices };
 }
@@ -92,16 +106,19 @@ export function numbersOfCodes(codes, { bytes, low, high, log }) {
 }
 
 /** The scene of this page: its description, and the arrays of its blocks. */
-export async function readScene(document) {
+export async function readScene(document, loading) {
   const scene = JSON.parse(document.getElementById("delone-scene").textContent);
-  for (const [name, block] of Object.entries(scene.blocks)) {
-    const element = document.getElementById("delone-" + name);
+  const blocks = Object.entries(scene.blocks).map(([name, block]) => [name, block, document.getElementById("delone-" + name)]);
+  const size = blocks.reduce((sum, [, , element]) => sum + element.textContent.length, 0);
+  loading.begin(2 * size, `Reading ${counted(scene.numCells, scene.cellWord)}, ${(size / 1e6).toFixed(1)} MB`);  // the model takes as long
+  for (const [name, block, element] of blocks) {
+    const length = element.textContent.length;
     let bytes = bytesOfBase64(element.textContent);
     element.textContent = "";
     if (block.deflated) bytes = await inflate(bytes);
-    scene[name] = block.coding === "planes" ? itemsOfPlanes(bytes, block)
+    scene[name] = await loading.run(length, block.coding === "planes" ? itemsOfPlanes(bytes, block)
       : block.coding === "simplices" ? simplicesOfVarints(bytes, block, scene.corners)
-      : polytopesOfVarints(bytes, block);
+      : polytopesOfVarints(bytes, block));
     if (block.numbers) scene[name] = numbersOfCodes(scene[name], block);
   }
   return scene;

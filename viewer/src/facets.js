@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which facets of cells are the same: by their smallest vertices, in buckets, in linear time.
+// Which facets of cells are the same: by their smallest vertices, in buckets, in linear time. Generators yield the part of their work
+// that is done.
 
 const STEP = 65536;  // so many items between two yields
 
@@ -12,13 +13,13 @@ export function* linkEqual(tuples, size, numVertices) {
   const start = new Uint32Array(numVertices + 1);
   for (let t = 0; t < count; ++t) {
     ++start[tuples[t * size] + 1];
-    if (t % STEP === 0) yield;
+    if (t % STEP === 0) yield 0.1 * t / count;
   }
   for (let v = 0; v < numVertices; ++v) start[v + 1] += start[v];
   const order = new Uint32Array(count), next = start.slice(0, numVertices);
   for (let t = 0; t < count; ++t) {
     order[next[tuples[t * size]]++] = t;
-    if (t % STEP === 0) yield;
+    if (t % STEP === 0) yield 0.1 + 0.2 * t / count;
   }
 
   const link = new Uint32Array(count);
@@ -39,7 +40,7 @@ export function* linkEqual(tuples, size, numVertices) {
       }
       link[last] = first;
     }
-    if (v % 2048 === 0) yield;
+    if (v % 2048 === 0) yield 0.3 + 0.7 * v / numVertices;
   }
   return link;
 }
@@ -74,7 +75,7 @@ export function* facetTuples(cells, corners) {
   const tuples = new Uint32Array(cells.length * size);
   let at = 0;
   for (let first = 0, cell = 0; first < cells.length; first += corners, ++cell) {
-    if (cell % STEP === 0) yield;
+    if (cell % STEP === 0) yield first / cells.length;
     if (corners === 3) {
       for (let i = 0; i < 3; ++i, at += 2) {
         const a = cells[first + (i + 1) % 3], b = cells[first + (i + 2) % 3];

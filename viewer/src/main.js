@@ -3,7 +3,9 @@
 import { readScene } from "./decode.js";
 import { dualLines, hullLines, KIND, Lines, pointLines, segmentLines } from "./lines.js";
 import { gradientOf, MAP_NAMES } from "./colors.js";
+import { finished, Loading } from "./loading.js";
 import { Model } from "./model.js";
+import { LEAST_PIXELS, pixelsOfCells, pixelsOfCut, sampleOf } from "./outline.js";
 import { counted, Panel, shown } from "./panel.js";
 import { Picture } from "./picture.js";
 import { Quantity } from "./quantities.js";
@@ -11,38 +13,36 @@ import { select } from "./selection.js";
 import { Space } from "./space.js";
 
 const MANY_LINES = 20000;
+const FEW_POINTS = 3000;  // are shown
+const SAMPLE = 1500;  // of more
+const TICKS = [0, 0.25, 0.5, 0.75, 1];  // of the legend
 const $ = (id) => document.getElementById(id);
 
-/** Runs a generator to its end, giving way to the browser from time to time. */
-async function finished(generator) {
-  for (let pause = performance.now() + 50;;) {
-    const { done, value } = generator.next();
-    if (done) return value;
-    if (performance.now() < pause) continue;
-    await new Promise((resolve) => setTimeout(resolve));
-    pause = performance.now() + 50;
-  }
-}
-
 class Viewer {
-  constructor(scene) {
+  constructor(scene, loading) {
     this.scene = scene;
+    this.loading = loading;
     this.space = new Space(scene);
     this.isFlat = scene.dimension <= 2;
     this.isSpatial = !this.isFlat;
     this.manyDimensions = scene.dimension > 3;
-    // Of a solid triangulation one wants to see the inside.
-    this.plane = { on: scene.kind === "triangulation" && scene.corners === 4 && scene.dimension === 3, axis: 1, part: 0.5, flipped: false };
-    this.overlays = { points: null, hull: null, dual: null };
+    this.overlays = { points: null, hull: null, dual: null, sample: null };
     this.hovered = null;
     this.picture = new Picture($("picture"), { flat: this.isFlat, antialias: scene.numCells < 400000 });
-    this.picture.beforeFrame = () => this.showAxes();
+    this.picture.beforeFrame = () => {
+      this.showAxes();
+      this.showOutline();
+    };
+    // Of a solid triangulation one wants to see the inside, if its cells can be told apart.
+    this.isSolid = scene.kind === "triangulation" && scene.corners === 4 && scene.dimension === 3;
+    this.plane = { on: this.isSolid && pixelsOfCut(this.picture, scene.numCells) >= LEAST_PIXELS, axis: 1, part: 0.5, flipped: false };
+    this.isOutline = false;
   }
 
   async make() {
-    const { scene, picture } = this;
-    this.model = await finished(Model.of(scene));
-    this.centroids = await finished(this.space.centroidsOf(this.model));
+    const { scene, picture, loading } = this, left = loading.total - loading.done;
+    this.model = await loading.run(0.8 * left, Model.of(scene));
+    this.centroids = await loading.run(0.2 * left, this.space.centroidsOf(this.model));
     this.quantities = this.listQuantities();
     picture.setModel(this.model);
     picture.setItems("positions", this.space.positions, 4);
@@ -87,16 +87,21 @@ class Viewer {
 
     panel.group("Color");
     const first = quantities.has("value") ? "value" : quantities.has("volume") ? "volume"
-      : this.manyDimensions && scene.kind === "triangulation" ? "axis3" : scene.kind === "hull" || scene.kind === "intersection" ? "axis" + (scene.dimension - 1)
+      : this.manyDimensions && scene.kind === "triangulation" ? "axis3"
+      : scene.kind !== "triangulation" && scene.kind !== "diagram" || this.isSolid && !this.plane.on ? "axis" + (scene.dimension - 1)
       : quantities.has("quality") ? "quality" : quantities.has("radius") ? "radius" : "axis0";
-    panel.select("by", "color", [...[...quantities].map(([id, { name }]) => [id, name]), ["none", "one color"]], first, (id) => this.colorBy(id));
+    panel.select("by", "color", [...[...quantities].map(([id, { name }]) => [id, name]), ["none", "one color"]], first, (id) => {
+      this.showCells();
+      this.colorBy(id);
+    });
     panel.select("map", "map", MAP_NAMES.map((name) => [name, name]), "viridis", (name) => {
       picture.setMap(name);
       this.showLegend();
     });
 
     panel.select("scale", "scale", [["linear", "linear"], ["log", "logarithmic"], ["rank", "by rank"]], "linear", (scale) => {
-      if (this.color) this.color.scale = scale;
+      if (this.color) Object.assign(this.color, { scale, isCrowded: false });
+      this.showCells();
       this.colorBy($("color").value);
     });
 
@@ -146,12 +151,14 @@ class Viewer {
     if (scene.numCells > 0 && scene.corners !== 2 && scene.corners !== 1)
       panel.select("faces", "faces", [["solid", "solid"], ["glass", "glass"], ["none", "none"]], this.manyDimensions ? "glass" : "solid",
                    (kind) => this.setFaces(kind));
-    panel.check("edges", "edges", true, (on) => picture.setEdges(on));
-    const few = this.space.unit.length / scene.dimension <= 3000;
+    panel.check("edges", "edges", true, (on) => picture.setEdges(on && !this.isOutline));
+    const few = this.space.unit.length / scene.dimension <= FEW_POINTS;
     panel.check(scene.kind === "diagram" ? "sites" : "points", "points", scene.sites ? few : few && this.isFlat || scene.corners <= 2 && scene.corners > 0,
                 (on) => this.toggle("points", on));
-    if (scene.kind === "triangulation" && (scene.corners === 3 || scene.corners === 4) && !this.manyDimensions)
-      panel.check("hull", "hull", this.isFlat, (on) => this.toggle("hull", on));
+    if ((scene.kind === "triangulation" || scene.kind === "alpha") && (scene.corners === 3 || scene.corners === 4) && !this.manyDimensions)
+      panel.check(scene.kind === "alpha" ? "boundary" : "hull", "hull", this.isFlat, (on) => this.toggle("hull", on));
+    if (this.isFlat && this.model.numTriangles > 0)
+      panel.check("outline, if cells are too small", "outline", true, () => picture.draw());
     if (scene.dual) panel.check(scene.weights ? "power diagram" : "Voronoi diagram", "dual", false, (on) => this.toggle("dual", on));
     const [a, b, c] = this.space.extent, least = Math.min(...[a, b, c].filter((x) => x > 0));
     this.isStretched = least < 0.02;
@@ -193,7 +200,7 @@ class Viewer {
   colorBy(id) {
     this.color = this.quantities.get(id) ?? null;
     const { picture } = this;
-    picture.uniforms.colored.value = this.color !== null;
+    picture.uniforms.colored.value = this.color !== null && !this.isOutline;
     picture.uniforms.ofVertices.value = this.color?.ofVertices ?? false;
     $("scale").disabled = this.color === null;
     $("scale").options[1].disabled = !this.color?.canBeLog;
@@ -205,15 +212,56 @@ class Viewer {
   }
   showLegend() {
     const { color } = this;
-    $("legend").hidden = color === null || !(color.from <= color.to);
-    if (color === null) return;
-    $("legend").querySelector(".name").textContent = color.name + { linear: "", log: " (logarithmic)", rank: " (by rank)" }[color.scale];
-    $("legend").querySelector(".bar").style.background = gradientOf($("map").value);
-    const [low, middle, high] = $("legend").querySelectorAll(".ends span");
-    const [from, to] = color.ends;
-    low.textContent = (color.low < from ? "≤ " : "") + shown(from);
-    middle.textContent = from < to ? shown(color.middle()) : "";
-    high.textContent = (color.high > to ? "≥ " : "") + shown(to);
+    const isColored = color !== null && !this.isOutline && color.from <= color.to, part = (name) => $("legend").querySelector("." + name);
+    const notes = [this.outlineNote()];
+    if (isColored && color.scale === "rank")
+      notes.push((color.isCrowded ? "Most values are close together, so each" : "Each") + " color is used equally often.");
+    part("why").textContent = notes.join(" ").trim();
+    $("legend").hidden = !isColored && part("why").textContent === "";
+    for (const name of ["name", "bar", "ticks"]) part(name).hidden = !isColored;
+    if (!isColored) return;
+    part("name").textContent = color.name + { linear: "", log: " (logarithmic)", rank: " (by rank)" }[color.scale];
+    part("bar").style.background = gradientOf($("map").value);
+    const numbers = TICKS.map((place) => color.numberAt(place)), [low, high] = [numbers[0], numbers.at(-1)];
+    const texts = numbers.map((number, i) => (i === 0 && color.low < number ? "≤ " : i === 4 && color.high > number ? "≥ " : "") + shown(number));
+    const isNarrow = texts.join("   ").length > 38;
+    part("ticks").replaceChildren(...texts.map((textContent, i) => {
+      const isLeftOut = i > 0 && i < 4 && !(low < high) || i % 2 === 1 && isNarrow;
+      return Object.assign(document.createElement("span"), { textContent: isLeftOut ? "" : textContent, style: `left: ${100 * TICKS[i]}%` });
+    }));
+  }
+
+  /** Of the plane: colors of cells that are too small to be told apart would be dust. Then their outline is shown, and some points. */
+  showOutline() {
+    const { picture, space } = this;
+    if (!$("outline")) return;
+    const isOutline = $("outline").checked && this.color !== null && !this.color.ofVertices &&
+      pixelsOfCells(picture, this.centroids, space.box) < LEAST_PIXELS;
+    if (isOutline === this.isOutline) return;
+    this.isOutline = isOutline;
+    picture.uniforms.colored.value = this.color !== null && !isOutline;
+    picture.setEdges($("edges").checked && !isOutline);
+    this.overlays.sample = isOutline ? pointLines(sampleOf(this.placesOfPoints(), SAMPLE), KIND.point) : null;
+    this.combine();
+    this.showLegend();
+  }
+  /** What is shown in place of the cells, if anything. */
+  outlineNote() {
+    const { scene, plane, picture } = this, outline = `The outline of ${counted(scene.numCells, this.cellWord)}`;
+    if (this.isOutline)
+      return `${outline}, too small to be seen here, and a sample of ${scene.sites ? "sites" : "points"}. Zoom in, or choose a color.`;
+    if (this.isSolid && !plane.on && this.numShown === scene.numCells && pixelsOfCut(picture, scene.numCells) < LEAST_PIXELS)
+      return `${outline}. Slice to see inside.`;
+    return "";
+  }
+  /** The cells themselves, however small. */
+  showCells() {
+    if ($("outline")) $("outline").checked = false;
+  }
+  /** Where the points are, or the sites. */
+  placesOfPoints() {
+    const { scene, space } = this;
+    return scene.sites ? space.turned(space.unitOf(scene.sites, 2 ** (8 * scene.blocks.sites.bytes) - 1)) : space.positions;
   }
 
   // Which cells.
@@ -233,6 +281,7 @@ class Viewer {
       const output = $("filter-range");
       if (output) output.textContent = (range ? `${shown(range.low)} … ${shown(range.high)}: ` : "") + `${counted(numShown, this.cellWord)}`;
       if (this.scene.corners === 2) this.combine();
+      this.showLegend();
     });
   }
   slicePlane() {
@@ -274,8 +323,7 @@ class Viewer {
       return this.combine();
     }
     if (name === "points") {
-      const sites = scene.sites ? space.turned(space.unitOf(scene.sites, 2 ** (8 * scene.blocks.sites.bytes) - 1)) : null;
-      this.overlays.points = pointLines(sites ?? space.positions, scene.kind === "diagram" ? KIND.site : KIND.point);
+      this.overlays.points = pointLines(this.placesOfPoints(), scene.kind === "diagram" ? KIND.site : KIND.point);
       return this.combine();
     }
     const generator = name === "hull" ? hullLines(model, space.positions) : dualLines(model, space);
@@ -429,8 +477,8 @@ async function start() {
   if (!document.createElement("canvas").getContext("webgl2"))
     return fail("This page needs WebGL 2, which this browser does not offer.\n" +
                 "It may be switched off in its settings, or the graphics driver may be missing.");
-  const scene = await readScene(document);
-  const viewer = new Viewer(scene);
+  const loading = new Loading($("notice")), scene = await readScene(document, loading);
+  const viewer = new Viewer(scene, loading);
   await viewer.make();
   window.delone = viewer;  // for scripts, and for the tests
   viewer.picture.draw();

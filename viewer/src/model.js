@@ -4,6 +4,7 @@
 // mode "surface": a triangle is shown with its cell. "solid": where one of its two cells is shown and the other is not, which is
 // the surface of what is shown. "all": with any of its cells (more than three dimensions, seen through).
 import { facetTuples, linkEqual, putSmallest, putSorted } from "./facets.js";
+import { between } from "./loading.js";
 
 export const NONE = 0xffffffff;
 const LARGEST = 24e6;  // triangles
@@ -18,7 +19,7 @@ function triples(corners) {
 }
 
 export class Model {
-  /** Builds it step by step: a generator that returns the model. */
+  /** Builds it step by step: a generator that yields the part of the work that is done, and returns the model. */
   static* of(scene) {
     const model = new Model();
     model.scene = scene;
@@ -43,13 +44,13 @@ export class Model {
   /** The cell across facet i of each cell of triangles or tetrahedra: a link from facet to facet. */
   *facetLinks() {
     const { cells, corners, numVertices } = this.scene;
-    this.links ??= yield* linkEqual(yield* facetTuples(cells, corners), corners - 1, numVertices);
+    this.links ??= yield* between(0.2, 1, linkEqual(yield* between(0, 0.2, facetTuples(cells, corners)), corners - 1, numVertices));
     return this.links;
   }
 
   *fromTetrahedra() {
     const { cells, dimension } = this.scene;
-    const links = yield* this.facetLinks();
+    const links = yield* between(0, 0.8, this.facetLinks());
     let count = 0;
     for (let f = 0; f < links.length; ++f) if (links[f] >= f) ++count;
     this.mode = dimension === 3 ? "solid" : "all";
@@ -63,7 +64,7 @@ export class Model {
       this.cells[0][at] = f >> 2;
       this.cells[1][at] = links[f] === f ? NONE : links[f] >> 2;
       ++at;
-      if (f % 65536 === 0) yield;
+      if (f % 65536 === 0) yield 0.8 + 0.2 * f / links.length;
     }
   }
 
@@ -106,7 +107,7 @@ export class Model {
     if (solid) {
       const tuples = new Uint32Array(3 * numFaces);
       for (let f = 0; f < numFaces; ++f) putSmallest(tuples, 3 * f, vertices, faceOffsets[f], faceOffsets[f + 1]);
-      links = yield* linkEqual(tuples, 3, numVertices);
+      links = yield* between(0, 0.6, linkEqual(tuples, 3, numVertices));
       this.mode = "solid";
     }
     const cellOfFace = new Uint32Array(numFaces);
@@ -121,7 +122,7 @@ export class Model {
         first.push(cellOfFace[f]);
         other.push(links && links[f] !== f ? cellOfFace[links[f]] : NONE);
       }
-      if (f % 8192 === 0) yield;
+      if (f % 8192 === 0) yield 0.6 + 0.4 * f / numFaces;
     }
     this.triangles = Uint32Array.from(triangles);
     this.edges = Uint8Array.from(edges);
