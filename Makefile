@@ -140,11 +140,15 @@ paper:                ## repeat the experiments of the report in build/paper, in
 	cmake --build --preset bench -j $(jobs)
 	PYTHONPATH=benchmarks $(python_with_plots) -m paper --build build/bench $(if $(QUICK),--quick) $(if $(DOCS),--docs) $(if $(HULL),--hull $(HULL)) $(PAPER)
 
-site: python          ## build the documentation as a site in build/site: pages, and references of Python, C++ and the command
+site: pictures        ## build the documentation as a site in build/site: pages, and references of Python, C++ and the command
 	tools/install_dependencies.sh site
 	for p in $(python_of_build) python3 /usr/bin/python3; do if $$p -c "import furo, myst_parser, numpy" 2>/dev/null; then exec $$p -B tools/make_site.py build/release; fi; done; exit 1
 
-docs: python          ## run the examples of the documentation and follow its links
+pictures: python      ## make the pictures of the documentation again that are stale
+	tools/pictures.py --check >/dev/null || tools/install_dependencies.sh browser paper
+	tools/pictures.py build/release
+
+docs: pictures        ## run the examples of the documentation and follow its links
 	tools/check_docs.py build/release --python $(python_of_build)
 
 browser: site         ## test the site in Chromium, as on a phone, and the pages of `delone view`

@@ -123,6 +123,8 @@ int delone_read_points(const char* path, const delone_options* options, delone_o
     results->add("dimension", std::int64_t{read.dimension});
     results->add("num_points", static_cast<std::int64_t>(read.num_points()));
     results->add("points", std::move(read.coordinates), read.dimension);
+    results->add("skipped_rows",
+                 std::vector<std::int64_t>(read.skipped_rows.begin(), read.skipped_rows.end()));
     return results;
   });
 }

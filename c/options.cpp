@@ -102,6 +102,9 @@ constexpr std::array integers{
                          [](delone_options& o, std::int64_t v) { o.tiles.columns = as_int("raw", v); }},
     Setter<std::int64_t>{"resume",
                          [](delone_options& o, std::int64_t v) { o.tiles.resume = as_bool("resume", v); }},
+    Setter<std::int64_t>{
+        "skip_missing",
+        [](delone_options& o, std::int64_t v) { o.read.skip_missing = as_bool("skip_missing", v); }},
     Setter<std::int64_t>{"vtu", [](delone_options& o, std::int64_t v) { o.tiles.vtu = as_bool("vtu", v); }},
 };
 

@@ -89,6 +89,13 @@ struct PointInput {
   PointTable read_beside(const std::string& other_path, unsigned threads = 0) const;
 };
 
+/// Leaves the rows out of both tables that are skipped in one of them. REQUIRES files of as many rows.
+void keep_common_rows(PointTable& points, PointTable& beside);
+/// The number of rows of the file, skipped ones included.
+inline std::size_t num_rows(const PointTable& table) {
+  return table.num_points() + table.skipped_rows.size();
+}
+
 /// Whether an argument that is columns of points or else a file, which may be a pipe or -, is the file:
 /// numbers are those of columns.
 bool names_a_file(const std::string& columns_or_file);
@@ -117,6 +124,8 @@ void add_duration(CLI::App& command, const std::string& name, double& seconds,
 /// The value of -n, as 1000 or 1e6. Throws UsageError, and out_of_memory beyond all memory.
 std::size_t count_of(const std::string& text);
 void add_columns(CLI::App& command, const std::string& name, std::vector<std::string>& columns);
+/// --skip-missing.
+void add_skip_missing(CLI::App& command, bool& skip_missing);
 void add_force(CLI::App& command, bool& force);
 void add_seed(CLI::App& command, std::uint64_t& seed, const std::string& description);
 

@@ -259,6 +259,7 @@ Run add_check(CLI::App& app) {
   app.add_option("--points", options->points.path,
                  "Take the points from this file instead; with a folder of tiles, compare with them")
       ->type_name("FILE");
+  add_skip_missing(app, options->points.options.skip_missing);
   add_max_stream(app, options->points.options.max_stream_bytes);
   add_threads(app, options->threads);
   app.footer(levels_text(DataKind::unknown, "Levels of triangulations") +

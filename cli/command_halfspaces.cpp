@@ -38,8 +38,7 @@ std::optional<std::vector<double>> numbers_in(std::string_view text) {
 std::vector<double> interior_point(const HalfspacesOptions& options, int dimension) {
   auto numbers = numbers_in(options.interior);
   if (!numbers) {
-    const PointTable table =
-        about(input_name(options.interior), [&] { return read_points(options.interior); });
+    const PointTable table = options.input.read_beside(options.interior);
     if (table.num_points() != 1)
       throw Error(Errc::bad_format, fmt::format("{}: expected one interior point, found {}",
                                                 input_name(options.interior), table.num_points()));

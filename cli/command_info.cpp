@@ -213,6 +213,7 @@ Run add_info(CLI::App& app) {
   app.add_option("--format", options->input.options.format, "Format of FILE, if not told by its extension")
       ->check(CLI::IsMember(formats));
   add_columns(app, "--columns", options->input.options.columns);
+  add_skip_missing(app, options->input.options.skip_missing);
   add_max_stream(app, options->input.options.max_stream_bytes);
   return [options] { return run_info(*options); };
 }

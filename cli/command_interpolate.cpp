@@ -70,10 +70,10 @@ PointTable read_field(const InterpolateOptions& options) {
     throw UsageError("--values and another input are both standard input");
   PointTable field = from.read(options.build.threads);
   PointTable values = from.read_beside(options.values, options.build.threads);
-  if (values.num_points() != field.num_points())
-    throw Error(Errc::bad_format,
-                fmt::format("{}: expected {} rows of values, one per point, found {}",
-                            input_name(options.values), field.num_points(), values.num_points()));
+  if (num_rows(values) != num_rows(field))
+    throw Error(Errc::bad_format, fmt::format("{}: expected {} rows of values, one per point, found {}",
+                                              input_name(options.values), num_rows(field), num_rows(values)));
+  keep_common_rows(field, values);
   field.num_values = values.dimension;
   field.values = std::move(values.coordinates);
   field.value_names = std::move(values.column_names);
@@ -178,6 +178,7 @@ int run_interpolate(InterpolateOptions options) {
   const PointTable field = read_field(options);
   PointInput from = options.queries;
   from.options.max_stream_bytes = options.input.options.max_stream_bytes;
+  from.options.skip_missing = options.input.options.skip_missing;
   PointTable queries = from.read(to.threads);
   require_fitting(queries, field, options.queries);
   cost.read = seconds_since(start);

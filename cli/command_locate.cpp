@@ -88,6 +88,7 @@ int run_locate(const LocateOptions& options) {
     throw UsageError("points and queries both from standard input");
   PointInput from = options.queries;
   from.options.max_stream_bytes = options.input.options.max_stream_bytes;
+  from.options.skip_missing = options.input.options.skip_missing;
   const PointTable points = options.input.read(options.threads), queries = from.read(options.threads);
   require_fitting(queries, points, options.queries);
   const LocatedPoints answers = locate_all(points, queries, options);

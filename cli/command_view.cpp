@@ -26,13 +26,13 @@ struct ViewOptions {
   std::vector<double> box;
 };
 
-/// The numbers of a file with one column.
-std::vector<double> read_values(const ViewOptions& options) {
+/// A file with one column.
+PointTable read_values(const ViewOptions& options) {
   PointTable table = options.input.read_beside(options.values, options.build.threads);
   if (table.num_points() > 0 && table.dimension != 1)
     throw Error(Errc::bad_format, fmt::format("{}: expected one value per row, found {} columns",
                                               input_name(options.values), table.dimension));
-  return std::move(table.coordinates);
+  return table;
 }
 
 std::string title_of(const ViewOptions& options) {
@@ -47,6 +47,8 @@ void require_use(const ViewOptions& options, bool is_points, bool is_diagram) {
     throw UsageError("--of says what to make of points, and " + name + " holds a result");
   if (!is_points && !options.input.options.columns.empty())
     throw UsageError("--columns is for points, and " + name + " holds a result");
+  if (!is_points && options.input.options.skip_missing)
+    throw UsageError("--skip-missing is for points, and " + name + " holds a result");
   if (!is_diagram && !options.box.empty())
     throw UsageError("--box cuts Voronoi and power diagrams, and none is shown");
 }
@@ -144,12 +146,14 @@ int run_view(const ViewOptions& options) {
   require_use(options, !data,
               data ? std::holds_alternative<VoronoiData>(*data) : options.product == "voronoi");
   const bool values_are_file = names_a_file(options.values);
-  if (values_are_file) html.values = read_values(options);
+  PointTable values;
+  if (values_are_file) values = read_values(options);
   if (!options.values.empty()) html.value_name = std::filesystem::path(options.values).stem().string();
   if (data && !options.values.empty() && !values_are_file)
     throw UsageError(fmt::format("--values {}: there is no such file", messages::in_quotes(options.values)));
   std::string page;
   if (data) {
+    html.values = std::move(values.coordinates);
     page = about(name, [&] {
       return std::visit(
           [&](const auto& held) {
@@ -167,6 +171,8 @@ int run_view(const ViewOptions& options) {
     PointInput input = options.input;
     if (!options.values.empty() && !values_are_file) input.options.values = {options.values};
     PointTable points = input.read(options.build.threads);
+    if (num_rows(values) == num_rows(points)) keep_common_rows(points, values);
+    html.values = std::move(values.coordinates);
     if (points.num_values == 1) html.values = std::move(points.values);
     if (points.num_values == 1 && !points.value_names.empty()) html.value_name = points.value_names[0];
     html.column_names = points.column_names;
@@ -190,6 +196,7 @@ Run add_view(CLI::App& app) {
   app.add_option("--format", options->input.options.format, "Format of FILE, if not told by its extension")
       ->check(CLI::IsMember(formats));
   add_columns(app, "--columns", options->input.options.columns);
+  add_skip_missing(app, options->input.options.skip_missing);
   app.add_option("-o,--output", options->build.output, "The page, .html; standard output if not given")
       ->type_name("OUT");
   app.add_option("--of", options->product,

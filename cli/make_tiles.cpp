@@ -21,9 +21,9 @@ namespace delone::cli {
 namespace {
 
 constexpr std::array of_tiles{"--tiles", "--raw", "--vtu", "--no-resume"};
-constexpr std::array of_files{"--output-format", "--qhull",         "--force", "--max-stream",
-                              "--trim",          "--furthest-site", "--seed",  "--runtime-dimension",
-                              "--order",         "--time"};
+constexpr std::array of_files{"--output-format", "--qhull",         "--force",       "--max-stream",
+                              "--trim",          "--furthest-site", "--seed",        "--runtime-dimension",
+                              "--order",         "--time",          "--skip-missing"};
 
 bool is_given(const CLI::App& command, const char* option) {
   const CLI::Option* const found = command.get_option_no_throw(option);

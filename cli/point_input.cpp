@@ -3,6 +3,7 @@
 #include "command.hpp"
 #include "messages/in_quotes.hpp"
 #include "numbers.hpp"
+#include "output.hpp"
 
 #include <fmt/format.h>
 
@@ -10,6 +11,7 @@
 #include <charconv>
 #include <cstdint>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <system_error>
@@ -21,6 +23,7 @@ void PointInput::add_to(CLI::App& command, const std::string& name, const std::s
   command.add_option("--format", options.format, "Format of " + name + ", if not told by its extension")
       ->check(CLI::IsMember(point_formats()));
   add_columns(command, "--columns", options.columns);
+  add_skip_missing(command, options.skip_missing);
   add_max_stream(command, options.max_stream_bytes);
 }
 
@@ -32,6 +35,7 @@ std::string in_command_words(std::string message, const std::string& format_opti
     return at;
   };
   replace("; raise max_stream_bytes or", "; raise --max-stream or");
+  replace("; skip_missing leaves", "; --skip-missing leaves");
   replace(" with resume off", " with --no-resume");
   replace(": columns: ", ": " + columns_option + ": ");
   for (const char* const name : {"values", "weights"})
@@ -95,6 +99,11 @@ void add_columns(CLI::App& command, const std::string& name, std::vector<std::st
       ->type_name("A,B,...");
 }
 
+void add_skip_missing(CLI::App& command, bool& skip_missing) {
+  command.add_flag("--skip-missing", skip_missing,
+                   "Leave out rows with blank, NA, NaN or other missing values, and say which");
+}
+
 void add_queries(CLI::App& command, PointInput& queries, const std::string& description) {
   queries.format_option = "--query-format";
   queries.columns_option = "--query-columns";
@@ -112,6 +121,43 @@ std::string listed(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ", ") + printable(name);
   return text;
+}
+
+/// "2, 5 to 9", and so on; long lists are cut.
+std::string listed(const std::vector<std::size_t>& rows) {
+  constexpr std::size_t most = 50;
+  std::string text;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < rows.size(); ++count) {
+    std::size_t end = i + 1;
+    while (end < rows.size() && rows[end] == rows[end - 1] + 1) ++end;
+    if (!text.empty()) text += ", ";
+    if (count == most) return text + "…";
+    text += std::to_string(rows[i]);
+    if (end > i + 1) text += (end > i + 2 ? " to " : ", ") + std::to_string(rows[end - 1]);
+    i = end;
+  }
+  return text;
+}
+
+/// Removes the rows of a file that are in `rows`, both lists increasing, from those that are left.
+void leave_out(PointTable& table, const std::vector<std::size_t>& rows) {
+  const auto width = static_cast<std::ptrdiff_t>(table.dimension);
+  auto end = table.coordinates.begin(), from = end;
+  auto skipped = table.skipped_rows.begin();
+  auto leaving = rows.begin();
+  for (std::size_t row = 0, n = num_rows(table); row < n; ++row) {
+    const bool leaves = leaving != rows.end() && *leaving == row;
+    if (leaves) ++leaving;
+    if (skipped != table.skipped_rows.end() && *skipped == row) {
+      ++skipped;
+      continue;
+    }
+    if (!leaves) end = std::copy(from, from + width, end);
+    from += width;
+  }
+  table.coordinates.erase(end, table.coordinates.end());
+  table.skipped_rows = rows;
 }
 
 }  // namespace
@@ -159,7 +205,13 @@ void add_seed(CLI::App& command, std::uint64_t& seed, const std::string& descrip
 
 PointTable PointInput::read(unsigned threads) const {
   try {
-    return about(input_name(path), [&] { return read_points(path, options, {.threads = threads}); });
+    PointTable table =
+        about(input_name(path), [&] { return read_points(path, options, {.threads = threads}); });
+    if (options.skip_missing)
+      print_note(fmt::format("delone: {}: {} with missing values left out{}{}\n", input_name(path),
+                             counted(table.skipped_rows.size(), "row"),
+                             table.skipped_rows.empty() ? "" : ": ", listed(table.skipped_rows)));
+    return table;
   } catch (const Error& e) {
     std::string message = in_command_words(e.what(), format_option, columns_option);
     const bool has_no_format = e.code() == Errc::unsupported && options.format.empty();
@@ -173,8 +225,17 @@ PointTable PointInput::read_beside(const std::string& other_path, unsigned threa
   PointInput other;
   other.path = other_path;
   other.options.max_stream_bytes = options.max_stream_bytes;
+  other.options.skip_missing = options.skip_missing;
   other.format_option.clear();  // it is that of the points
   return other.read(threads);
+}
+
+void keep_common_rows(PointTable& points, PointTable& beside) {
+  std::vector<std::size_t> rows;
+  std::set_union(points.skipped_rows.begin(), points.skipped_rows.end(), beside.skipped_rows.begin(),
+                 beside.skipped_rows.end(), std::back_inserter(rows));
+  leave_out(points, rows);
+  leave_out(beside, rows);
 }
 
 bool names_a_file(const std::string& columns_or_file) {

@@ -33,15 +33,16 @@ std::vector<double> take_column(PointTable& table, std::size_t column) {
   return taken;
 }
 
-/// Reads weights from a file with one column.
-std::vector<double> read_weights(const std::string& path, std::size_t expected, const PointInput& points) {
-  PointTable table = points.read_beside(path);
+/// Reads the weights of points from a file with one column.
+std::vector<double> read_weights(const std::string& path, PointTable& points, const PointInput& input) {
+  PointTable table = input.read_beside(path);
   if (table.num_points() > 0 && table.dimension != 1)
     throw Error(Errc::bad_format, fmt::format("{}: expected one weight per row, found {} columns",
                                               input_name(path), table.dimension));
-  if (table.num_points() != expected)
+  if (num_rows(table) != num_rows(points))
     throw Error(Errc::bad_format, fmt::format("{}: expected {} weights, one per point, found {}",
-                                              input_name(path), expected, table.num_points()));
+                                              input_name(path), num_rows(points), num_rows(table)));
+  keep_common_rows(points, table);
   return std::move(table.coordinates);
 }
 
@@ -75,7 +76,7 @@ PointTable WeightedInput::read(std::vector<double>& weights_read, unsigned threa
   if (appended) all.options.columns.push_back(weights);
   PointTable table = all.read(threads);
   if (is_file) {
-    weights_read = read_weights(weights, table.num_points(), input);
+    weights_read = read_weights(weights, table, input);
     return table;
   }
   std::size_t column = static_cast<std::size_t>(table.dimension) - 1;

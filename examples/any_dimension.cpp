@@ -13,7 +13,7 @@ int main() {
     const delone::Complex complex = triangulation.complex();
     std::cout << dimension << " dimensions: " << complex.num_vertices() << " vertices, "
               << complex.num_finite_cells() << " cells, " << complex.num_infinite_cells()
-              << " hull facets, hash " << triangulation.hash().hex() << '\n';
+              << " hull facets, hash " << triangulation.hash() << '\n';
 
     // The faces of a triangulated ball: their numbers, with alternating signs, add up to 1.
     long sum = 0;

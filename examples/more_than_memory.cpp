@@ -76,7 +76,7 @@ int main(int argc, char** argv) {
       return forecast.foreign_share < 1;  // otherwise tiles do not pay
     };
     const delone::TilesIndex index = delone::make_tiles(input, folder, options);
-    std::cout << index.num_cells << " cells in " << index.parts.size() << " parts, hash " << index.hash.hex()
+    std::cout << index.num_cells << " cells in " << index.parts.size() << " parts, hash " << index.hash
               << '\n';
 
     // One part after the other is in memory. Every cell is in one part.

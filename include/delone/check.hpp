@@ -8,6 +8,7 @@
 #include <delone/export.hpp>
 
 #include <cstddef>
+#include <iosfwd>
 #include <limits>
 #include <span>
 #include <string>
@@ -59,6 +60,9 @@ struct CheckReport {
   /// two cells lie in one hyperplane (level 3).
   std::size_t ties = 0;
 };
+/// Writes one line, without its end: "ok up to level 6, completeness", or "violation at level 4, volume: "
+/// and what is violated; then what was not examined.
+DELONE_EXPORT std::ostream& operator<<(std::ostream& out, const CheckReport& report);
 
 /// Examines data level after level and stops at the first violation. A violation is a result, not an error.
 /// Data of a known kind (DataKind) are examined as what they say they are. Throws Errc::invalid_argument

@@ -10,6 +10,7 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <iosfwd>
 #include <iterator>
 #include <string>
 #include <vector>
@@ -322,6 +323,8 @@ struct DELONE_EXPORT CanonicalHash {
   friend bool operator==(const CanonicalHash&, const CanonicalHash&) = default;
   std::string hex() const;
 };
+/// Writes the digits of hex().
+DELONE_EXPORT std::ostream& operator<<(std::ostream& out, const CanonicalHash& hash);
 
 /// The canonical hash of a plain triangulation. O(n·d + m·k). Throws Errc::invalid_argument if the arrays
 /// disagree or a cell has a row that is not one of the points, and cancelled.

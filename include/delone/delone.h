@@ -119,6 +119,8 @@ DELONE_C_API void delone_set_progress(delone_progress progress, void* user_data)
  *   text     format ""          of files that are read; "": by the extension
  *   text     columns            of files of points: a name, a number from 0, or a range such as 2-5. Each
  *                               call adds one; NULL removes all; none: all columns
+ *   integer  skip_missing 0     of files of points: 1 leaves out rows with missing values, which are errors
+ *                               otherwise
  *   integer  max_stream_bytes   the most that is read from a pipe; 4 GiB by default
  *
  * Of tiles alone:
@@ -206,7 +208,7 @@ DELONE_C_API int delone_set_text(delone_options* options, const char* name, cons
  *            point_region+ n; ray_vertices+ u; ray_directions+ u x d; ray_points+ u x k; region_points:
  *            the row of each region; region_volumes; ridge_volumes; axis_tolerances+ d, if they differ
  *
- * "points" (read)       integer dimension num_points; array points n x d
+ * "points" (read)       integer dimension num_points; array points n x d, skipped_rows
  * "interpolator"        integer dimension columns
  * "lists" (of queries)  array offsets q+1 (int64), and the arrays that the query names
  * "report" (of checks)  integer ok level ties; text level_name level_meaning violation (empty if ok is 1)
@@ -432,8 +434,9 @@ DELONE_C_API int delone_read(const char* path, const delone_options* options, de
  * INVALID_ARGUMENT. */
 DELONE_C_API int delone_write(const delone_object* object, const char* path, const char* format);
 
-/* Points of a file: .npy, .csv, .tsv, .txt, .off, .ply and others. Options: format, columns, threads,
- * max_stream_bytes. Errors as for delone_read(). */
+/* Points of a file: .npy, .csv, .tsv, .txt, .off, .ply and others; and the rows of the file that skip_missing
+ * has left out. Options: format, columns, skip_missing, threads, max_stream_bytes. Errors as for
+ * delone_read(). */
 DELONE_C_API int delone_read_points(const char* path, const delone_options* options, delone_object** object);
 DELONE_C_API int delone_write_points(const double* points, size_t num_points, int dimension, const char* path,
                                      const char* format);

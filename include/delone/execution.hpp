@@ -2,6 +2,8 @@
 // How a call runs: by how many threads, and who hears of its progress.
 #pragma once
 
+#include <delone/config.hpp>
+
 #include <functional>
 
 namespace delone {

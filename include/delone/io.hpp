@@ -41,6 +41,9 @@ struct PointTable {
   int num_values = 0;                         ///< m, the number of columns that ReadOptions::values selects
   std::vector<double> values = {};            ///< n×m, row-major
   std::vector<std::string> value_names = {};  ///< as column_names
+  /// The rows of the file that ReadOptions::skip_missing has left out, increasing. The others are points
+  /// 0, 1, 2 …, and rows are numbered as in errors: without a header, blank lines and comments.
+  std::vector<std::size_t> skipped_rows = {};
   std::size_t num_points() const {
     return dimension < 1 ? 0 : coordinates.size() / static_cast<std::size_t>(dimension);
   }
@@ -58,6 +61,10 @@ struct ReadOptions {
   std::uint64_t max_stream_bytes = default_max_stream_bytes;
   /// Columns that are not coordinates, chosen in the same way: for PointTable::values.
   std::vector<std::string> values = {};
+  /// Leave out rows with a missing value in a column that is read; otherwise they are refused. Missing are
+  /// NaN, blank fields, and in text, in any case: - NA N/A #N/A #NA <NA> NaN NULL None, and some more of
+  /// pandas (docs/formats.md).
+  bool skip_missing = false;
 };
 
 /// Reads points. Values must be finite.
@@ -65,10 +72,13 @@ struct ReadOptions {
 ///                order; integers must be exact in binary64
 ///   csv tsv      optional header line (recognised when a field of the first line is not a number), '#'
 ///                comments, quotes
-///   txt xyz pts  white space separated rows of coordinates, '#' comments; the leading count and comment
-///                line of the chemists' xyz format are not supported
+///   txt xyz pts  white space separated rows of coordinates, '#' comments
+///   xyz          also that of chemists: a count, a comment, then an element, x, y, z per line; the elements,
+///                and what follows z, are ignored; one frame
 ///   off          OFF / nOFF / COFF vertices
 ///   ply          ascii and binary, the properties x, y, z
+///   pdb          x, y, z of the lines ATOM and HETATM; one model
+///   las          x, y, z of LAS 1.0 to 1.4
 ///   qhull        dimension, count, rows (rbox's output; the rest of the first line is a comment)
 /// Throws Errc::bad_format with "FILE:LINE: …" or "FILE: row N: …"; not_finite with rows(); bad_dimension for
 /// dimension 0; invalid_argument for unknown columns; cancelled; and as all readers. Several threads parse

@@ -2,6 +2,8 @@
 // Options of constructions, and the cost of a construction.
 #pragma once
 
+#include <delone/config.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <functional>

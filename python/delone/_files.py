@@ -22,11 +22,11 @@ _levels = {"complex": 6, "hull": 5, "diagram": 5, "intersection": 3}
 _levels_of_kinds = {"alpha_complex": 3, "trimmed": 3, "alpha_boundary": 2, "hull_boundary": 5}
 
 
-def read(path, *, format: Optional[str] = None, columns: Optional[Sequence[Union[str, int]]] = None, threads: int = 0,
-         frame: bool = False) -> Any:
+def read(path, *, format: Optional[str] = None, columns: Optional[Sequence[Union[str, int]]] = None, skip_missing: bool = False,
+         threads: int = 0, frame: bool = False) -> Any:
     """Read points or a result from a file.
 
-    npz, json and off files hold points or a result; npy, csv, tsv, txt, xyz, pts, ply and qhull files hold points. A folder of
+    npz, json and off files hold points or a result; npy, csv, tsv, txt, xyz, pts, ply, pdb, las and qhull files hold points. A folder of
     tiles is opened as `delone.tiles.Tiles`. docs/formats.md describes the formats.
 
     Parameters
@@ -38,6 +38,9 @@ def read(path, *, format: Optional[str] = None, columns: Optional[Sequence[Union
     columns : sequence of str or int, optional
         The columns of points to read, in this order: names, numbers from 0, or ranges such as "2-5", both ends included.
         A name takes precedence over a number. By default all columns.
+    skip_missing : bool, default False
+        Leave out the rows of points in which a value is missing: NaN, blank, "NA", "-", or another word that pandas reads so, in
+        a column that is read. By default such rows are errors.
     threads : int, default 0
         The most threads that parse text; 0: one per core if the file is large enough to gain by it.
     frame : bool, default False
@@ -47,6 +50,9 @@ def read(path, *, format: Optional[str] = None, columns: Optional[Sequence[Union
     -------
     numpy.ndarray, pandas.DataFrame, Data or delone.tiles.Tiles
         Points as an (n, d) float64 array; a result as `ComplexData`, `HullData`, `IntersectionData` or `VoronoiData`.
+    skipped : (m,) ndarray of int64
+        With `skip_missing` only: the rows of the file that were left out, increasing. Points are numbered without them. The rows
+        of the file that the points come from are ``np.delete(np.arange(n + m), skipped)``; they are the index of a DataFrame.
 
     Raises
     ------
@@ -55,7 +61,7 @@ def read(path, *, format: Optional[str] = None, columns: Optional[Sequence[Union
     InputError
         If the file violates its format, or points are NaN or infinite. The message names the line, row or member.
     TypeError
-        If `frame` is true and the file holds a result.
+        If `frame` or `skip_missing` is true and the file holds a result.
     ImportError
         If `frame` is true and pandas is missing.
 
@@ -77,6 +83,17 @@ def read(path, *, format: Optional[str] = None, columns: Optional[Sequence[Union
     >>> delone.read(path)
     array([[0. , 0. ],
            [1. , 0.5]])
+
+    Rows with missing values:
+
+    >>> with open(path, "w") as file:
+    ...     _ = file.write("x,y\\n0,0\\n1,NA\\n2,3\\n")
+    >>> points, skipped = delone.read(path, skip_missing=True)
+    >>> points
+    array([[0., 0.],
+           [2., 3.]])
+    >>> skipped
+    array([1])
     """
     name = os.fspath(path)
     if isinstance(name, bytes):
@@ -87,16 +104,24 @@ def read(path, *, format: Optional[str] = None, columns: Optional[Sequence[Union
     threads = whole(threads, "threads")
     wanted = _format_of(name, format)
     chosen = None if columns is None else _columns(columns)
-    if chosen is None and wanted in _formats_of_results:
+    if chosen is None and wanted in _formats_of_results and not (skip_missing and wanted == "off"):
         data = from_core(*_core._read(os.fsencode(name), wanted, _max_stream_bytes))
         if wanted != "off" or len(data.cells):
-            if frame:
-                raise TypeError(f"frame: {name} holds no points, but {type(data).__name__}")
+            if frame or skip_missing:
+                option = "frame" if frame else "skip_missing"
+                raise TypeError(f"{option}: {name} holds no points, but {type(data).__name__}")
             return data
-        points, found = np.array(data.points), data.columns
+        points, found, skipped = np.array(data.points), data.columns, None
     else:
-        points, found = _core._read_points(os.fsencode(name), format or "", chosen or [], threads, _max_stream_bytes)
-    return framed(points, found) if frame else points
+        points, found, skipped = _core._read_points(os.fsencode(name), format or "", chosen or [], bool(skip_missing), threads,
+                                                    _max_stream_bytes)
+    if frame:
+        points = framed(points, found)
+    if not skip_missing:
+        return points
+    if frame:
+        points.index = np.delete(np.arange(len(points) + len(skipped)), skipped)
+    return points, skipped
 
 
 def _format_of(name: str, format: Optional[str]) -> str:

@@ -25,10 +25,11 @@ py::tuple read_any(const std::string& path, const std::string& format, std::uint
 }
 
 py::tuple read_table(const std::string& path, const std::string& format, std::vector<std::string> columns,
-                     int threads, std::uint64_t max_stream_bytes) {
+                     bool skip_missing, int threads, std::uint64_t max_stream_bytes) {
   ReadOptions options;
   options.format = format;
   options.columns = std::move(columns);
+  options.skip_missing = skip_missing;
   options.max_stream_bytes = max_stream_bytes;
   const Execution how{.threads = as_threads(threads)};
   Supervisor supervisor;
@@ -40,7 +41,9 @@ py::tuple read_table(const std::string& path, const std::string& format, std::ve
   for (const std::string& name : table.column_names)
     names.append(py::reinterpret_steal<py::str>(
         PyUnicode_DecodeUTF8(name.data(), static_cast<py::ssize_t>(name.size()), "replace")));
-  return py::make_tuple(points, names);
+  py::array_t<std::int64_t> skipped(static_cast<py::ssize_t>(table.skipped_rows.size()));
+  std::copy(table.skipped_rows.begin(), table.skipped_rows.end(), skipped.mutable_data());
+  return py::make_tuple(points, names, skipped);
 }
 
 /// Calls use(Data{}) for the data of this kind.
@@ -113,7 +116,7 @@ py::dict kinds() {
 
 void bind_files(py::module_& module) {
   module.def("_read", &read_any, "path"_a, "format"_a, "max_stream_bytes"_a);
-  module.def("_read_points", &read_table, "path"_a, "format"_a, "columns"_a, "threads"_a,
+  module.def("_read_points", &read_table, "path"_a, "format"_a, "columns"_a, "skip_missing"_a, "threads"_a,
              "max_stream_bytes"_a);
   module.def("_write", &write_any, "kind"_a, "members"_a, "path"_a, "format"_a);
   module.def("_write_points", &write_table, "points"_a, "names"_a, "path"_a, "format"_a);

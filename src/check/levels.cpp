@@ -4,6 +4,8 @@
 #include "base/axis_scale.hpp"
 
 #include <algorithm>
+#include <ostream>
+#include <string>
 
 namespace delone {
 
@@ -26,6 +28,15 @@ template std::span<const CheckLevel> check_levels<ComplexData>();
 template std::span<const CheckLevel> check_levels<HullData>();
 template std::span<const CheckLevel> check_levels<IntersectionData>();
 template std::span<const CheckLevel> check_levels<VoronoiData>();
+
+std::ostream& operator<<(std::ostream& out, const CheckReport& report) {
+  std::string text = report.ok ? "ok up to level " : "violation at level ";
+  text += std::to_string(report.reached.number);
+  text.append(", ").append(report.reached.name);
+  if (!report.ok) text += ": " + report.violation;
+  if (!report.not_examined.empty()) text += "; not examined: " + report.not_examined;
+  return out << text;
+}
 
 std::span<const CheckLevel> check_levels(DataKind kind) {
   switch (kind) {

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <ostream>
 #include <vector>
 
 namespace delone {
@@ -23,6 +24,8 @@ std::string CanonicalHash::hex() const {
   }
   return text;
 }
+
+std::ostream& operator<<(std::ostream& out, const CanonicalHash& hash) { return out << hash.hex(); }
 
 namespace {
 

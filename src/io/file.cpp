@@ -169,6 +169,8 @@ std::string choose_format(const std::string& path, const std::string& format,
   if (chosen == "gz" && format.empty())
     fail(Errc::unsupported, "{}: files are not written compressed; write {} and compress it",
          printable(path, std::string::npos), printable(without_gzip_name(path), std::string::npos));
+  if (chosen == "laz" && use == Use::reading)
+    fail(Errc::unsupported, "{}: {}", printable(path, std::string::npos), laz_advice);
   const std::string purpose = fmt::format("{} {}", use == Use::reading ? "reading" : "writing", what);
   const char* more = use == Use::writing_mesh ? "; more by to_meshio() in Python" : "";
   if (!format.empty() || chosen.size() > 1)

@@ -83,6 +83,12 @@ std::string choose_format(const std::string& path, const std::string& format,
                           std::string_view standard_stream, std::initializer_list<std::string_view> known,
                           Use use, std::string_view what);
 
+/// What may be done with points that are compressed as LAZ.
+inline constexpr std::string_view laz_advice =
+    "LAZ is not read: decompress it with laszip -i IN.laz -o OUT.las, or read it with "
+    "laspy.read(\"IN.laz\").xyz "
+    "in Python";
+
 /// Runs a reader or writer, and turns exhausted memory into Error{out_of_memory}.
 template <class Work>
 auto guarded(const std::string& name, Work&& work) {

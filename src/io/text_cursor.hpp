@@ -96,12 +96,17 @@ class TextCursor {
   /// it in errors.
   double number(std::string_view what) {
     double value = 0;
+    if (!try_number(value)) fail_number(what);
+    return value;
+  }
+  /// The same; false, and no move, if there is no number.
+  bool try_number(double& value) {
     const char* stop = parse_number(p_, end_, value);
     if (stop == nullptr ||
         (stop != end_ && !is_blank(*stop) && *stop != '\n' && *stop != '\r' && *stop != '#'))
-      fail_number(what);
+      return false;
     p_ = stop;
-    return value;
+    return true;
   }
   /// The next token as a count no larger than `largest`.
   std::uint64_t count(std::string_view what, std::uint64_t largest);

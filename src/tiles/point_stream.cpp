@@ -347,7 +347,7 @@ Source copied(const std::string& format, const std::string& path, const StreamOp
 std::unique_ptr<PointStream> open_format(const std::string& format, const std::string& path,
                                          const StreamOptions& options) {
   namespace fs = std::filesystem;
-  if (format == "off" || format == "ply") {
+  if (format == "off" || format == "ply" || format == "pdb" || format == "las") {
     ReadOptions reading;
     reading.format = format;
     if (format == "ply" && !options.columns.empty()) {
@@ -379,7 +379,7 @@ std::unique_ptr<PointStream> open_point_stream(const std::string& path, const St
   io::refuse_folder(path, "a file of points");
   const std::string format = io::choose_format(
       path, options.format, "qhull",
-      {"npy", "raw", "bin", "csv", "tsv", "txt", "xyz", "pts", "dat", "off", "ply", "qhull"},
+      {"npy", "raw", "bin", "csv", "tsv", "txt", "xyz", "pts", "dat", "off", "ply", "pdb", "las", "qhull"},
       io::Use::reading, "points");
   return io::guarded(io::input_name(path), [&] {
     std::unique_ptr<PointStream> points = open_format(format, path, options);

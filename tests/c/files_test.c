@@ -80,6 +80,25 @@ static void protein(void) {
   remove("c_points.npy");
 }
 
+static void missing_values(void) {
+  delone_options* options;
+  delone_object* points;
+  delone_array array;
+  FILE* const file = fopen("c_gaps.csv", "w");
+  CHECK(file != NULL && fputs("x,y\n0,1\n2,NA\n4,5\n", file) >= 0 && fclose(file) == 0);
+  FAILS(DELONE_BAD_FORMAT, delone_read_points("c_gaps.csv", NULL, &points));
+  OK(delone_options_new(&options));
+  OK(delone_set_integer(options, "skip_missing", 1));
+  OK(delone_read_points("c_gaps.csv", options, &points));
+  array = get_array(points, "points");
+  CHECK(array.shape[0] == 2 && ((const double*)array.data)[3] == 5);
+  array = get_array(points, "skipped_rows");
+  CHECK(array.shape[0] == 1 && ((const int64_t*)array.data)[0] == 1);
+  delone_free(points);
+  delone_options_free(options);
+  remove("c_gaps.csv");
+}
+
 static void cells_from_elsewhere(void) {
   const int64_t right[6] = {0, 1, 2, 0, 2, 3}, wrong[6] = {0, 1, 2, 0, 1, 3}, out_of_range[3] = {0, 1, 7};
   delone_options* options;
@@ -155,6 +174,7 @@ static void tiles(const char* folder) {
 void files_test(void) {
   products();
   protein();
+  missing_values();
   cells_from_elsewhere();
   files_that_are_not_there();
   tiles("c_tiles");

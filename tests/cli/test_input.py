@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Points in every format; what is refused gives one line that says where."""
 import gzip
+import json
 import os
+import shutil
+import struct
 import subprocess
 import tempfile
 import time
@@ -56,6 +59,25 @@ class Input(Case):
             self.assertIn("n.csv: --columns: " + said, self.complaint("delaunay", self.path("n.csv"), "--columns", columns))
         self.assertIn("n.csv: --query-columns: there is no column '9'",
                       self.complaint("locate", self.path("n.csv"), "--columns", "0,1", "--queries", self.path("n.csv"), "--query-columns", "9,0"))
+
+    def test_atoms_and_scans(self):
+        numbers = np.random.default_rng(5).integers(-100_000, 100_000, (40, 3)).astype("<i4")
+        points = numbers * 0.001 + [100.0, -2000.0, 0.5]
+        expected = self.stats(self.file("a.npy", points))["hash"]
+        atoms = "".join("C%d %r %r %r 0.5\n" % (i, *map(float, p)) for i, p in enumerate(points))
+        self.assertEqual(self.stats(self.file("a.xyz", f"40\nfrom a program\n{atoms}"))["hash"], expected)
+        header = bytearray(227)
+        header[:4], header[24:26], header[94:100] = b"LASF", b"\1\2", struct.pack("<HI", 227, 227)
+        header[105:111], header[131:179] = struct.pack("<HI", 20, 40), struct.pack("<6d", 0.001, 0.001, 0.001, 100, -2000, 0.5)
+        scan = self.file("a.las", bytes(header) + b"".join(row.tobytes() + bytes(8) for row in numbers))
+        self.assertEqual(self.stats(scan)["hash"], expected)
+        lines = "".join("%-6s%5d  CA  ALA A%4d    %8.3f%8.3f%8.3f  1.00  0.00\n" % ("HETATM" if i % 3 else "ATOM", i, i, *p) for i, p in enumerate(points))
+        self.assertEqual(self.stats(self.file("a.pdb", "HEADER\n" + lines + "END\n"))["hash"],
+                         self.stats(self.file("rounded.npy", np.round(points, 3)))["hash"])
+        for path in (self.path("a.xyz"), scan):  # read in pieces, and at once
+            self.run_delone("delaunay", path, "-q", "-o", self.path("tiles/"), "--tiles", "2")
+            self.assertIn(expected, self.output("info", self.path("tiles")))
+            shutil.rmtree(self.path("tiles"))
 
     def test_saved_output_of_rbox(self):
         rows = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
@@ -149,6 +171,50 @@ class Compressed(Case):
         self.assertIn("zero", self.complaint("info", self.file("zeros.txt.gz", gzip.compress(b"\0" * 100_000_000)), "--max-stream", "200MB"))
 
 
+class MissingValues(Case):
+    def skipping(self, command, path, *arguments):
+        done = self.run_delone(command, path, "--skip-missing", *arguments)
+        return done.stdout.decode(), done.stderr.decode()
+
+    def test_rows_are_left_out_and_told(self):
+        rows = ["0,0", "4,NA", "4,0", ",3", "5,-", "6,null", "1,3", "7,n/a", "2,1"]
+        gaps = self.file("gaps.csv", "x,y\n" + "\n".join(rows) + "\n")
+        whole = self.file("whole.csv", "x,y\n0,0\n4,0\n1,3\n2,1\n")
+        text, said = self.skipping("delaunay", gaps, "--stats", "-q")
+        self.assertEqual(said, f"delone: {gaps}: 5 rows with missing values left out: 1, 3 to 5, 7\n")
+        found = json.loads(text)
+        self.assertEqual((found["points"], found["hash"]), (4, self.stats(whole)["hash"]))
+        self.assertEqual(self.skipping("delaunay", whole, "--stats")[1], f"delone: {whole}: 0 rows with missing values left out\n")
+        self.assertIn("4 points", self.skipping("info", gaps)[0])
+        for command, *more in (["hull"], ["voronoi"], ["forecast"], ["alpha", "--radius", "9"], ["view", "-o", self.path("a.html")],
+                               ["locate", "--queries", gaps], ["interpolate", "--values", "y", "--queries", self.file("q.csv", "x\n1\nNA\n2\n")]):
+            self.assertIn("5 rows with missing values left out", self.skipping(command, gaps, *more)[1], command)
+            self.complaint(command, gaps, *more)
+
+    def test_weights_and_values_of_their_own(self):
+        points = self.file("p.csv", "0,0\n4,NA\n4,0\n0,4\n4,4\n2,1\n")
+        weights = self.file("w.txt", "0\n1\n0\nNA\n0.5\n1\n")
+        expected = self.file("e.csv", "0,0,0\n4,0,0\n4,4,0.5\n2,1,1\n")
+        text, said = self.skipping("regular", points, "--weights", weights, "--stats")
+        self.assertEqual(json.loads(text)["hash"], json.loads(self.output("regular", expected, "--weights", "2", "--stats"))["hash"])
+        self.assertEqual(said.splitlines(), [f"delone: {points}: 1 row with missing values left out: 1",
+                                             f"delone: {weights}: 1 row with missing values left out: 3"])
+        queries = self.file("q.csv", "3,1\n2.5,2\n")
+        text, _ = self.skipping("interpolate", points, "--values", weights, "--queries", queries)
+        self.assertEqual(text, self.output("interpolate", expected, "--columns", "0,1", "--values", "2", "--queries", queries).replace("2\n", "value\n", 1))
+        self.assertIn("expected 6 weights, one per point, found 5",
+                      self.run_delone("regular", points, "--skip-missing", "--weights", self.file("s.txt", "1\n1\nNA\n1\n1\n"), status=2).stderr.decode())
+
+    def test_refusals_name_the_option(self):
+        for text in ("0,0\n1,\n2,1\n", "0,0\n1,NA\n", "0,0\n1,nan\n"):
+            self.assertIn("; --skip-missing leaves out rows with missing values", self.complaint("delaunay", self.file("a.csv", text)))
+        text = self.complaint("delaunay", self.path("a.csv"), "--skip-missing", "-o", self.path("tiles/"), status=64)
+        self.assertIn("--skip-missing does not go together with tiles", text)
+        result = self.path("r.npz")
+        self.output("delaunay", self.file("b.csv", "0,0\n1,0\n0,1\n"), "-q", "-o", result)
+        self.assertIn("--skip-missing is for points", self.complaint("view", result, "--skip-missing", "-o", self.path("a.html"), status=64))
+
+
 class BadInput(Case):
     def refused(self, name, content, *patterns, arguments=(), status=2):
         path = self.file(name, content)
@@ -172,7 +238,8 @@ class BadInput(Case):
                 ("a.csv", "x y\n0 0\n1 2\n", "white space: --format txt"), ("a.csv", "0\t1\n1\t2\n", "tabs: --format tsv"),
                 ("a.tsv", "x,y\n0,0\n1,2\n", "separated by ',': --format csv"), ("a.txt", "0,0\n1,2\n", "separated by ',': --format csv"),
                 ("a.txt", "x y\n0 0\n1 2\n", "the first line looks like a header: put '#' before it"),
-                ("a.xyz", "2\nwater\nO 0 0 0\nH 1 0 0\n", "the chemists' xyz format"),
+                ("a.txt", "2\nwater\nO 0 0 0\nH 1 0 0\n", "the chemists' xyz format: --format xyz"),
+                ("a.laz", "LASF", "a.laz: LAZ is not read: decompress it with laszip"),
                 ("a.txt", b"\x93NUMPY\x01\x00" + b"\0" * 100, "looks like an .npy file: --format npy"),
                 ("a.csv", b"\x89PNG\r\n\x1a\n" + b"\0" * 10, "looks like a picture"), ("a.txt", b"\1\2\0\3", "a binary file"),
                 ("a.csv", b"PK\x03\x04" + b"\0" * 200000, "looks like a zip archive"), ("a.npy", "OFF\n3 0 0\n", "an .off file: --format off"),

@@ -4,6 +4,7 @@
 #include <delone/delone.hpp>
 
 #include <array>
+#include <iostream>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@
 using Points = std::vector<std::array<double, 3>>;
 
 #if MISUSE == 0
+void print(const delone::Delaunay<3>& t) { std::cout << t.hash() << delone::check(t.to_data()); }
 delone::Delaunay<3> correct(const Points& points) { return delone::Delaunay<3>(points); }
 std::size_t any_kind(const delone::Triangulation& t) { return t.num_points(); }
 std::size_t correct(const delone::Delaunay<3>& a, const delone::Regular<>& b) {

@@ -30,10 +30,11 @@ struct Target {
   std::string_view name, format;
   bool is_result;
 };
-constexpr Target targets[] = {{"csv", "csv", false},     {"tsv", "tsv", false},  {"txt", "txt", false},
-                              {"qhull", "qhull", false}, {"off", "off", false},  {"ply", "ply", false},
-                              {"npy", "npy", false},     {"json", "json", true}, {"npz", "npz", true},
-                              {"off_cells", "off", true}};
+constexpr Target targets[] = {{"csv", "csv", false},      {"tsv", "tsv", false},  {"txt", "txt", false},
+                              {"qhull", "qhull", false},  {"off", "off", false},  {"ply", "ply", false},
+                              {"npy", "npy", false},      {"json", "json", true}, {"npz", "npz", true},
+                              {"off_cells", "off", true}, {"xyz", "xyz", false},  {"pdb", "pdb", false},
+                              {"las", "las", false}};
 const Target* chosen = nullptr;
 
 void require(bool condition, const std::string& what) {

@@ -467,3 +467,45 @@ def test_diagrams_as_vtk_reads_them(tmp_path):
         size = data.GetArray("Area" if dimension == 2 else "Volume")
         regions = [int(data.GetArray("region").GetValue(i)) for i in range(30)]
         np.testing.assert_allclose([size.GetValue(i) for i in range(30)], diagram.region_volumes(box)[regions], rtol=1e-6)
+
+
+def test_missing_values_as_in_pandas(tmp_path):
+    """The rows that are left are those of pandas: read_csv, then dropna."""
+    pandas = pytest.importorskip("pandas")
+    from pandas._libs.parsers import STR_NA_VALUES
+    rng = np.random.default_rng(8)
+    words = sorted(STR_NA_VALUES)
+    assert "" in words and "NA" in words
+    rows = rng.integers(-50, 50, (300, 3)).astype(str).astype(object)
+    gaps = rng.random(rows.shape) < 0.1
+    rows[gaps] = [words[i % len(words)] for i in range(np.count_nonzero(gaps))]
+    for name, separator in (("a.csv", ","), ("a.tsv", "\t")):
+        path = tmp_path / name
+        path.write_text("\n".join(separator.join(row) for row in [["x", "y", "z"], *rows]) + "\n")
+        for columns in (["x", "y", "z"], ["z", "x"]):
+            frame = pandas.read_csv(path, sep=separator, skip_blank_lines=False)[columns].dropna()
+            points, skipped = delone.read(path, columns=columns, skip_missing=True)
+            assert (points == frame.to_numpy()).all() and points.shape == frame.shape
+            assert skipped.dtype == np.int64 and (np.delete(np.arange(len(rows)), skipped) == frame.index).all()
+            as_frame, again = delone.read(path, columns=columns, skip_missing=True, frame=True)
+            assert (again == skipped).all() and (as_frame.index == frame.index).all() and list(as_frame.columns) == columns
+            assert (as_frame.to_numpy() == frame.to_numpy()).all()
+
+
+def test_missing_values(tmp_path):
+    path = tmp_path / "a.npy"
+    np.save(path, [[0, 1], [np.nan, 2], [3, 4]])
+    points, skipped = delone.read(path, skip_missing=True)
+    assert points.tolist() == [[0, 1], [3, 4]] and skipped.tolist() == [1]
+    with pytest.raises(delone.InputError, match="row 1: column 0: nan is not finite; skip_missing leaves out rows"):
+        delone.read(path)
+    (tmp_path / "a.off").write_text("OFF\n2 0 0\n0 0 nan\n1 2 3\n")
+    points, skipped = delone.read(tmp_path / "a.off", skip_missing=True)
+    assert points.tolist() == [[1, 2, 3]] and skipped.tolist() == [0]
+    whole = tmp_path / "b.csv"
+    delone.write_points(POINTS, whole)
+    points, skipped = delone.read(whole, skip_missing=True)
+    assert (points == POINTS).all() and skipped.shape == (0,)
+    delone.Delaunay(POINTS).save(tmp_path / "c.npz")
+    with pytest.raises(TypeError, match="skip_missing: .*holds no points"):
+        delone.read(tmp_path / "c.npz", skip_missing=True)

@@ -110,11 +110,6 @@ bool are_numbers(const std::vector<std::string_view>& fields) {
 
 std::string header_hint(const std::vector<std::string_view>& lines) {
   if (lines.size() < 2) return {};
-  std::vector<std::string_view> third;
-  if (lines.size() > 2) third = fields_of(lines[2], ' ');
-  if (to_count(lines[0]) && third.size() > 1 && !is_number(third[0]) &&
-      are_numbers({third.begin() + 1, third.end()}))
-    return "this looks like the chemists' xyz format: keep the coordinates only";
   if (!are_numbers(fields_of(lines[0], ' ')) && are_numbers(fields_of(lines[1], ' ')))
     return "the first line looks like a header: put '#' before it";
   return {};
@@ -133,6 +128,9 @@ std::string signature_hint(std::string_view bytes, std::string_view format) {
       {"OFF", "off", "an .off file"},
       {"nOFF", "off", "an .off file"},
       {"COFF", "off", "an .off file"},
+      {"LASF", "las", "a .las file"},
+      {"ATOM  ", "pdb", "a .pdb file"},
+      {"HETATM", "pdb", "a .pdb file"},
       {"PK\x03\x04", "", "a zip archive"},
       {"\x89HDF", "", "an HDF5 file"},
       {"\x89PNG", "", "a picture"},
@@ -170,13 +168,28 @@ bool is_qhull_form(std::string_view text) {
   return are_numbers(row) && (first.size() > 1 || (row.size() > 1 && row.size() == *dimension));
 }
 
+bool is_xyz_form(std::string_view text) {
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  TextCursor at(text.substr(0, sample_bytes), {});
+  std::string_view lines[3];
+  for (std::string_view& line : lines) {
+    line = at.rest_of_line();
+    if (at.at_end() && &line != lines + 2) return false;
+    at.take_line_end();
+  }
+  const std::vector<std::string_view> atom = fields_of(lines[2], ' ');
+  return to_count(lines[0]) && atom.size() > 3 && are_numbers({atom.begin() + 1, atom.begin() + 4}) &&
+         (!is_number(atom[0]) || !are_numbers(fields_of(lines[1], ' ')));
+}
+
 std::string hint_for(std::string_view bytes, std::string_view format) {
   if (std::string hint = signature_hint(bytes, format); !hint.empty()) return hint;
   if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) return {};  // UTF-16, as was said
   const bool is_text = bytes.substr(0, sample_bytes).find('\0') == std::string_view::npos;
-  if (format == "npy" || format == "ply" || format == "off") return {};
+  if (format == "npy" || format == "ply" || format == "off" || format == "las") return {};
   if (!is_text) return "this is a binary file";
   if (format != "qhull" && is_qhull_form(bytes)) return "this looks like rbox's output: format = \"qhull\"";
+  if (is_xyz_form(bytes)) return "this looks like the chemists' xyz format: format = \"xyz\"";
   const std::vector<std::string_view> lines = first_lines(bytes);
   if (lines.empty()) return {};
   if (format == "qhull" && is_qhull_form(bytes)) return {};

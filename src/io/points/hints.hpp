@@ -13,6 +13,10 @@ namespace delone::io {
 /// points; their coordinates. False for all that can be white space separated rows instead.
 bool is_qhull_form(std::string_view text);
 
+/// Whether a text is in the chemists' xyz format: a count; a line of comment; an element and at least three
+/// numbers. False for all that can be white space separated rows, or Qhull's form, instead.
+bool is_xyz_form(std::string_view text);
+
 /// A clause that says what a file of this format looks like instead, and what may be done: a separator that
 /// is another one, a header, a binary file. Empty if nothing is to be seen.
 std::string hint_for(std::string_view bytes, std::string_view format);

@@ -2,6 +2,8 @@
 // The OFF formats of Geomview: OFF (3-D), COFF (3-D, colours after each vertex) and nOFF (any dimension).
 #pragma once
 
+#include "io/collect.hpp"
+
 #include <delone/io.hpp>
 
 #include <cstdint>
@@ -9,8 +11,6 @@
 #include <string_view>
 
 namespace delone::io {
-
-class TextCursor;
 
 struct OffHeader {
   int dimension = 3;
@@ -25,7 +25,7 @@ inline constexpr std::string_view off_kind_comment = "# delone: ";
 /// Reads up to the counts and the end of their line.
 OffHeader read_off_header(TextCursor& at);
 /// Reads the vertices, one per line.
-PointTable read_off_vertices(TextCursor& at, const OffHeader& header);
+PointTable read_off_vertices(TextCursor& at, const OffHeader& header, Missing missing = Missing::refused);
 /// Vertices and cells; all cells must have the same number of vertices, k + 1.
 ComplexData read_off_complex(std::string_view bytes, const std::string& name);
 

@@ -10,7 +10,7 @@
 
 namespace delone::io {
 
-PointTable points_of(const NpyArray& array, const std::string& name) {
+PointTable points_of(const NpyArray& array, const std::string& name, Missing missing) {
   if (array.shape.empty())
     fail(Errc::bad_format, "{}: a single number; expected an array of shape (n, d)", name);
   const std::size_t dimension = array.shape.size() == 1 ? 1 : array.shape[1];
@@ -21,12 +21,12 @@ PointTable points_of(const NpyArray& array, const std::string& name) {
   PointTable table;
   table.dimension = static_cast<int>(dimension);
   table.coordinates = to_doubles(array, name);
-  require_finite(table.coordinates, table.dimension, name);
+  require_finite(table.coordinates, table.dimension, name, {}, 0, missing);
   return table;
 }
 
-PointTable read_npy(std::string_view bytes, const std::string& name) {
-  return points_of(parse_npy(bytes, name), name);
+PointTable read_npy(std::string_view bytes, const std::string& name, Missing missing) {
+  return points_of(parse_npy(bytes, name), name, missing);
 }
 
 }  // namespace delone::io

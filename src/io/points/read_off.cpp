@@ -67,9 +67,9 @@ OffHeader read_off_header(TextCursor& at) {
   return header;
 }
 
-PointTable read_off_vertices(TextCursor& at, const OffHeader& header) {
+PointTable read_off_vertices(TextCursor& at, const OffHeader& header, Missing missing) {
   require_room(at, header.num_vertices, "vertices");
-  PointCollector points;
+  PointCollector points(missing);
   points.table.dimension = header.dimension;
   const auto dimension = static_cast<std::size_t>(header.dimension);
   if (header.num_vertices <= (at.remaining() / 2 + 1) / dimension)
@@ -81,7 +81,7 @@ PointTable read_off_vertices(TextCursor& at, const OffHeader& header) {
     std::size_t found = 0;
     for (; found < dimension && !at.skip_to_content(); ++found) {
       const char* start = at.position();
-      points.add(at.number("a coordinate"), [&] {
+      points.add(read_coordinate(at, points), [&] {
         return fmt::format("{}: column {}: {}", at.place(), found,
                            describe_not_finite({start, static_cast<std::size_t>(at.position() - start)}));
       });
@@ -100,11 +100,11 @@ PointTable read_off_vertices(TextCursor& at, const OffHeader& header) {
   return points.finish();
 }
 
-PointTable read_off(std::string_view bytes, const std::string& name) {
+PointTable read_off(std::string_view bytes, const std::string& name, Missing missing) {
   TextCursor at(text_of(bytes, name), name);
   const OffHeader header = read_off_header(at);
   at.take_line_end();
-  return read_off_vertices(at, header);
+  return read_off_vertices(at, header, missing);
 }
 
 ComplexData read_off_complex(std::string_view bytes, const std::string& name) {

@@ -276,12 +276,12 @@ std::vector<std::size_t> select(const Element& vertex, const ColumnChoice& choic
 
 template <class Source>
 PointTable read_vertices(Source source, const Header& header, const std::string& name,
-                         const ColumnChoice& choice) {
+                         const ColumnChoice& choice, Missing missing) {
   auto vertex = header.elements.begin();
   for (; vertex != header.elements.end() && vertex->name != "vertex"; ++vertex) skip_element(source, *vertex);
   if (vertex == header.elements.end()) fail(Errc::bad_format, "{}: the file has no element 'vertex'", name);
   const std::vector<std::size_t> columns = select(*vertex, choice, name);
-  PointCollector points;
+  PointCollector points(missing);
   points.table.dimension = static_cast<int>(columns.size());
   points.table.num_values = static_cast<int>(choice.last.size());
   for (const std::size_t column : columns)
@@ -311,14 +311,16 @@ PointTable read_vertices(Source source, const Header& header, const std::string&
 
 }  // namespace
 
-PointTable read_ply(std::string_view bytes, const std::string& name, const ColumnChoice& choice) {
+PointTable read_ply(std::string_view bytes, const std::string& name, const ColumnChoice& choice,
+                    Missing missing) {
   if (bytes.empty()) fail(Errc::bad_format, "{}: the file is empty", name);
   TextCursor at(bytes, name);
   const Header header = parse_header(at);
-  if (header.encoding == Encoding::ascii) return read_vertices(AsciiSource(at), header, name, choice);
+  if (header.encoding == Encoding::ascii)
+    return read_vertices(AsciiSource(at), header, name, choice, missing);
   const std::string_view data = bytes.substr(static_cast<std::size_t>(at.position() - bytes.data()));
   return read_vertices(BinarySource(data, name, header.encoding == Encoding::big_endian), header, name,
-                       choice);
+                       choice, missing);
 }
 
 }  // namespace delone::io

@@ -58,11 +58,15 @@ PointTable with_values(PointTable table, const std::string& name) {
 /// Refuses what cannot be of this format by its first bytes. Where the first word is wrong the reader says
 /// so.
 void check_opening(const std::string& format, std::string_view opening, bool is_whole,
-                   const std::string& name) {
+                   const std::string& name, io::Missing missing) {
   if (is_whole) return;  // read at once
   if (format == "npy") return io::with_hint(opening, format, [&] { io::require_npy(opening, name); });
   if (format == "ply") {
     if (!opening.starts_with("ply")) io::read_ply(opening, name, {});
+    return;
+  }
+  if (format == "las") {
+    if (!opening.starts_with("LASF")) io::read_las(opening, name);
     return;
   }
   const std::string_view text = io::text_of(opening, name);
@@ -72,8 +76,32 @@ void check_opening(const std::string& format, std::string_view opening, bool is_
   if (word.empty() || at.at_end()) return;  // there may be more of it
   if (format == "off" && !word.ends_with("OFF")) io::read_off(text, name);
   if (format == "qhull" && !io::to_count(word)) io::read_qhull(text, name);
-  if ((format == "txt" || format == "xyz" || format == "pts" || format == "dat") && !io::to_number(word))
+  const bool is_value = io::to_number(word) || (missing == io::Missing::left_out && io::is_missing(word));
+  if ((format == "txt" || format == "xyz" || format == "pts" || format == "dat") && !is_value)
     io::read_white_space(text, name);
+}
+
+/// The columns that are chosen, in which missing values are NaN.
+PointTable read_columns(std::string_view bytes, const std::string& format, const std::string& name,
+                        const ReadOptions& options, unsigned threads, io::Missing missing) {
+  const io::ReadingInParts in_parts{.threads = threads};
+  const io::ColumnChoice choice{.wanted = options.columns, .last = options.values};
+  if (format == "csv" || format == "tsv")
+    return io::read_delimited(bytes, name, format == "csv" ? ',' : '\t', choice, in_parts, missing);
+  if (format == "ply") return io::read_ply(bytes, name, choice, missing);
+  const auto read = [&]() -> PointTable {
+    if (format == "npy") return io::read_npy(bytes, name, missing);
+    if (format == "off") return io::read_off(bytes, name, missing);
+    return io::read_las(bytes, name, missing);
+  };
+  if (format == "npy" || format == "off" || format == "las")
+    return with_columns(io::with_hint(bytes, format, read), choice, name);
+  const bool is_xyz = format == "xyz" && io::is_xyz_form(bytes);
+  return with_columns(is_xyz              ? io::read_xyz(bytes, name, missing)
+                      : format == "pdb"   ? io::read_pdb(bytes, name, missing)
+                      : format == "qhull" ? io::read_qhull(bytes, name, missing)
+                                          : io::read_white_space(bytes, name, in_parts, missing),
+                      choice, name);
 }
 
 }  // namespace
@@ -82,26 +110,24 @@ PointTable read_points(const std::string& path, const ReadOptions& options, cons
   const internal::ProgressMeter meter(how.progress);
   io::refuse_folder(path, "a file of points");
   const std::string format = io::choose_format(
-      path, options.format, "qhull", {"npy", "csv", "tsv", "txt", "xyz", "pts", "dat", "off", "ply", "qhull"},
+      path, options.format, "qhull",
+      {"npy", "csv", "tsv", "txt", "xyz", "pts", "dat", "off", "ply", "pdb", "las", "qhull"},
       io::Use::reading, "points");
   const std::string name = io::input_name(path);
+  const io::Missing missing = options.skip_missing ? io::Missing::left_out : io::Missing::refused;
   return io::guarded(name, [&] {
-    const io::Bytes file = io::read_all(
-        path, options.max_stream_bytes,
-        [&](std::string_view opening, bool is_whole) { check_opening(format, opening, is_whole, name); });
-    const std::string_view bytes = file.view();
-    const io::ReadingInParts in_parts{.threads = how.threads};
-    const io::ColumnChoice choice{.wanted = options.columns, .last = options.values};
-    if (format == "csv" || format == "tsv")
-      return with_values(io::read_delimited(bytes, name, format == "csv" ? ',' : '\t', choice, in_parts),
-                         name);
-    if (format == "ply") return with_values(io::read_ply(bytes, name, choice), name);
-    PointTable table =
-        format == "npy"     ? io::with_hint(bytes, format, [&] { return io::read_npy(bytes, name); })
-        : format == "off"   ? io::with_hint(bytes, format, [&] { return io::read_off(bytes, name); })
-        : format == "qhull" ? io::read_qhull(bytes, name)
-                            : io::read_white_space(bytes, name, in_parts);
-    return with_values(with_columns(std::move(table), choice, name), name);
+    const auto check = [&](std::string_view opening, bool is_whole) {
+      check_opening(format, opening, is_whole, name, missing);
+    };
+    const io::Bytes file = io::read_all(path, options.max_stream_bytes, check);
+    try {
+      PointTable table = read_columns(file.view(), format, name, options, how.threads, missing);
+      if (options.skip_missing) io::leave_out_missing(table);
+      return with_values(std::move(table), name);
+    } catch (const io::MissingValue& e) {
+      throw Error(e.code(), std::string(e.what()) + "; skip_missing leaves out rows with missing values",
+                  e.rows());
+    }
   });
 }
 

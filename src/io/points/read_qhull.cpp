@@ -7,7 +7,6 @@
 #include "io/points/text_rows.hpp"
 #include "messages/in_quotes.hpp"
 
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -38,7 +37,7 @@ class QhullReader {
     for (; num_rows_ < count_; ++num_rows_) {
       const char* const begin = at.position();
       const std::size_t line = at.line();
-      if (!read_row(at)) {
+      if (!read_row(at, points)) {
         if (is_last)
           fail(Errc::bad_format, "{}: expected {} points of {} coordinates, the file ends after {} numbers",
                at.place(), count_, dimension_, num_rows_ * dimension_ + row_.size());
@@ -56,13 +55,14 @@ class QhullReader {
 
  private:
   /// False if the piece ends before the row does.
-  bool read_row(TextCursor& at) {
+  bool read_row(TextCursor& at, const PointCollector& points) {
     row_.clear();
     while (row_.size() < dimension_) {
       if (!at.find_content()) return false;
       const char* const start = at.position();
-      const double value = at.number("a coordinate");
-      if (!std::isfinite(value) && not_finite_.empty()) not_finite_ = place_of_value(at, row_.size(), start);
+      const double value = read_coordinate(at, points);
+      if (is_refused(value, points.missing()) && not_finite_.empty())
+        not_finite_ = place_of_value(at, row_.size(), start);
       row_.push_back(value);
     }
     return true;
@@ -97,10 +97,10 @@ std::string place_of_value(const TextCursor& at, std::size_t column, const char*
                      describe_not_finite({start, static_cast<std::size_t>(at.position() - start)}));
 }
 
-PointTable read_qhull(std::string_view bytes, const std::string& name) {
+PointTable read_qhull(std::string_view bytes, const std::string& name, Missing missing) {
   TextCursor at(text_of(bytes, name), name);
   QhullReader reader;
-  PointCollector points;
+  PointCollector points(missing);
   with_hint(bytes, "qhull", [&] { reader.read_head(at, true); });
   points.table.dimension = static_cast<int>(reader.dimension());
   // Each number takes two bytes at least: what the file cannot hold is never allocated.

@@ -10,6 +10,8 @@
 #include "messages/in_quotes.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -37,12 +39,13 @@ std::vector<LinePart> parts_of_rows(const TextCursor& at, char never, std::size_
 /// Reads csv and tsv.
 class DelimitedReader {
  public:
-  DelimitedReader(std::string_view text, const std::string& name, char delimiter, const ColumnChoice& choice)
-      : at_(text, name), delimiter_(delimiter), choice_(choice) {}
+  DelimitedReader(std::string_view text, const std::string& name, char delimiter, const ColumnChoice& choice,
+                  Missing missing = Missing::refused)
+      : at_(text, name), delimiter_(delimiter), choice_(choice), missing_(missing) {}
 
   PointTable read(const ReadingInParts& how) {
     if (!find_row()) fail(Errc::bad_format, "{}: no row and no header in the file", at_.name());
-    PointCollector points;
+    PointCollector points(missing_);
     read_header(points.table);
     row_.resize(width_);
     const std::vector<LinePart> parts = parts_of_rows(at_, '"', columns_.size(), how);
@@ -175,11 +178,26 @@ class DelimitedReader {
     bool is_name() const { return !trimmed(text).empty() && !is_number(); }
   };
 
+  /// Throws bad_format for a field that is no number.
+  [[noreturn]] void fail_field(std::size_t column, std::size_t line, std::string_view field,
+                               std::string_view more = {}) const {
+    const std::string_view text = trimmed(field);
+    const std::string message =
+        field_place(column, line) +
+        (text.empty() ? ": the field is empty" : ": " + messages::in_quotes(field) + " is not a number") +
+        std::string(more);
+    if (is_missing(text)) throw MissingValue(Errc::bad_format, message);
+    throw Error(Errc::bad_format, message);
+  }
+
   /// Whether the first line has names. A line of numbers and empty fields has not: it is a row, perhaps a
-  /// faulty one. Beside a name, a number in quotes is one, too; any other number there is refused, as the
-  /// line may be a damaged row, unless a name of the line is among the columns that are chosen.
+  /// faulty one; nor has one of numbers and missing fields that are left out. Beside a name, a number in
+  /// quotes is one, too; any other number there is refused, as the line may be a damaged row, unless a name
+  /// of the line is among the columns that are chosen.
   bool is_header(const std::vector<FirstField>& fields, std::size_t line) const {
-    const auto name = std::find_if(fields.begin(), fields.end(), [](const auto& f) { return f.is_name(); });
+    const auto name = std::find_if(fields.begin(), fields.end(), [&](const auto& f) {
+      return f.is_name() && (missing_ == Missing::refused || !is_missing(trimmed(f.text)));
+    });
     if (name == fields.end()) return false;
     const auto is_chosen = [&](const FirstField& f) {
       const auto in = [&](const std::vector<std::string>& list) {
@@ -191,8 +209,8 @@ class DelimitedReader {
                      [](const auto& f) { return f.is_number() && !f.quoted; }) ||
         std::any_of(fields.begin(), fields.end(), is_chosen))
       return true;
-    fail(Errc::bad_format, "{}: {} is not a number; a header has names only, or numbers in quotes",
-         field_place(static_cast<std::size_t>(name - fields.begin()), line), messages::in_quotes(name->text));
+    fail_field(static_cast<std::size_t>(name - fields.begin()), line, name->text,
+               "; a header has names only, or numbers in quotes");
   }
 
   /// The first line gives the number of columns, and their names if it has names.
@@ -222,7 +240,8 @@ class DelimitedReader {
       for (std::size_t column : columns_) table.column_names.push_back(names_[column]);
   }
 
-  /// A quoted field may span lines: errors name the line where the row starts.
+  /// The number of the next field, NaN if it is missing and left out. A quoted field may span lines: errors
+  /// name the line where the row starts.
   double number_field(std::size_t column, std::size_t row_line) {
     skip_spaces();
     const char* start = at_.position();
@@ -231,7 +250,7 @@ class DelimitedReader {
       at_.move_to(stop);
       skip_spaces();
       if (at_field_end()) {
-        if (!std::isfinite(value))
+        if (is_refused(value, missing_))
           note_not_finite(column, row_line, {start, static_cast<std::size_t>(stop - start)});
         return value;
       }
@@ -239,12 +258,12 @@ class DelimitedReader {
     }
     const std::string text = field();
     const std::string_view number_text = trimmed(text);
-    if (number_text.empty()) fail(Errc::bad_format, "{}: the field is empty", field_place(column, row_line));
     const auto number = to_number(number_text);
-    if (!number)
-      fail(Errc::bad_format, "{}: {} is not a number", field_place(column, row_line),
-           messages::in_quotes(text));
-    if (!std::isfinite(*number)) note_not_finite(column, row_line, number_text);
+    if (!number) {
+      if (missing_ == Missing::refused || !is_missing(number_text)) fail_field(column, row_line, text);
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+    if (is_refused(*number, missing_)) note_not_finite(column, row_line, number_text);
     return *number;
   }
 
@@ -280,6 +299,7 @@ class DelimitedReader {
   TextCursor at_;
   char delimiter_;
   const ColumnChoice& choice_;
+  Missing missing_;
   std::size_t width_ = 0;
   std::vector<std::string> names_;
   std::vector<std::size_t> columns_;
@@ -312,7 +332,7 @@ class WhiteSpaceReader {
     std::size_t found = 0;
     for (; !at.skip_to_content(); ++found) {
       const char* start = at.position();
-      const double value = at.number("a coordinate");
+      const double value = read_coordinate(at, points);
       if (width_ == 0 || found < width_) points.add(value, [&] { return place_of_value(at, found, start); });
     }
     return found;
@@ -323,11 +343,13 @@ class WhiteSpaceReader {
 
 class WhiteSpaceRows final : public TextRowsInPieces {
  public:
-  explicit WhiteSpaceRows(const std::string& name) : TextRowsInPieces(name) {}
+  WhiteSpaceRows(const std::string& name, bool may_be_molecule)
+      : TextRowsInPieces(name), may_be_molecule_(may_be_molecule) {}
   std::size_t read(std::string_view text, bool is_last, PointCollector& rows) override {
-    if (is_first_ && is_qhull_form(text)) qhull_ = open_qhull_rows(name_);
+    if (is_first_ && is_qhull_form(text)) other_ = open_qhull_rows(name_);
+    if (is_first_ && may_be_molecule_ && is_xyz_form(text)) other_ = open_xyz_rows(name_);
     is_first_ = false;
-    if (qhull_) return qhull_->read(text, is_last, rows);
+    if (other_) return other_->read(text, is_last, rows);
     TextCursor at = cursor(text);
     const char* const begin = at.position();
     if (width() > 0 || at.find_content()) {
@@ -338,11 +360,12 @@ class WhiteSpaceRows final : public TextRowsInPieces {
     }
     return finish(static_cast<std::size_t>(at.position() - begin), at.line());
   }
-  std::size_t width() const override { return qhull_ ? qhull_->width() : reader_.width(); }
+  std::size_t width() const override { return other_ ? other_->width() : reader_.width(); }
 
  private:
   WhiteSpaceReader reader_;
-  std::unique_ptr<TextRows> qhull_;  // where the text is in that form
+  const bool may_be_molecule_;
+  std::unique_ptr<TextRows> other_;  // where the text is in Qhull's or the chemists' form
   bool is_first_ = true;
 };
 
@@ -363,11 +386,12 @@ class DelimitedRows final : public TextRowsInPieces {
   DelimitedReader reader_;
 };
 
-PointTable read_rows(std::string_view bytes, const std::string& name, const ReadingInParts& how) {
+PointTable read_rows(std::string_view bytes, const std::string& name, const ReadingInParts& how,
+                     Missing missing) {
   TextCursor at(text_of(bytes, name), name);
   if (!at.find_content()) fail(Errc::bad_format, "{}: no row in the file", name);
   WhiteSpaceReader reader;
-  PointCollector points;
+  PointCollector points(missing);
   reader.read_first_row(at, points);
   const std::vector<LinePart> parts = parts_of_rows(at, 0, reader.width(), how);
   if (parts.empty())
@@ -383,14 +407,16 @@ PointTable read_rows(std::string_view bytes, const std::string& name, const Read
 }  // namespace
 
 PointTable read_delimited(std::string_view bytes, const std::string& name, char delimiter,
-                          const ColumnChoice& choice, const ReadingInParts& how) {
-  return with_hint(bytes, delimiter == ',' ? "csv" : "tsv",
-                   [&] { return DelimitedReader(text_of(bytes, name), name, delimiter, choice).read(how); });
+                          const ColumnChoice& choice, const ReadingInParts& how, Missing missing) {
+  return with_hint(bytes, delimiter == ',' ? "csv" : "tsv", [&] {
+    return DelimitedReader(text_of(bytes, name), name, delimiter, choice, missing).read(how);
+  });
 }
 
-PointTable read_white_space(std::string_view bytes, const std::string& name, const ReadingInParts& how) {
-  if (is_qhull_form(bytes)) return read_qhull(bytes, name);
-  return with_hint(bytes, "txt", [&] { return read_rows(bytes, name, how); });
+PointTable read_white_space(std::string_view bytes, const std::string& name, const ReadingInParts& how,
+                            Missing missing) {
+  if (is_qhull_form(bytes)) return read_qhull(bytes, name, missing);
+  return with_hint(bytes, "txt", [&] { return read_rows(bytes, name, how, missing); });
 }
 
 std::unique_ptr<TextRows> open_text_rows(const std::string& format, const std::string& name,
@@ -398,7 +424,7 @@ std::unique_ptr<TextRows> open_text_rows(const std::string& format, const std::s
   if (format == "csv" || format == "tsv")
     return std::make_unique<DelimitedRows>(name, format == "csv" ? ',' : '\t', std::move(choice));
   if (format == "qhull") return open_qhull_rows(name);
-  return std::make_unique<WhiteSpaceRows>(name);
+  return std::make_unique<WhiteSpaceRows>(name, format == "xyz");
 }
 
 }  // namespace delone::io

@@ -32,6 +32,7 @@ class TextRows {
 std::unique_ptr<TextRows> open_text_rows(const std::string& format, const std::string& name,
                                          ColumnChoice choice = {});
 std::unique_ptr<TextRows> open_qhull_rows(const std::string& name);
+std::unique_ptr<TextRows> open_xyz_rows(const std::string& name);
 
 /// Counts the lines of the pieces.
 class TextRowsInPieces : public TextRows {

@@ -8,6 +8,7 @@
 
 #include <new>
 #include <set>
+#include <sstream>
 
 namespace delone {
 namespace {
@@ -49,6 +50,20 @@ TYPED_TEST(Levels, SoundDataReachTheLevelThatIsWanted) {
   const int last = check_levels<TypeParam>().back().number;
   EXPECT_EQ(check(data).reached.number, last);
   EXPECT_EQ(check(data, {.up_to = last + 1}).reached.number, last);
+}
+
+TYPED_TEST(Levels, ReportsAreWrittenInALine) {
+  const auto written = [](const CheckReport& report) { return (std::ostringstream() << report).str(); };
+  const TypeParam data = this->sound();
+  EXPECT_EQ(written(check(data, {.up_to = 1})), "ok up to level 1, storage");
+  CheckReport report = check(data);
+  report.not_examined = "the tolerance";
+  EXPECT_EQ(written(report), "ok up to level " + std::to_string(report.reached.number) + ", " +
+                                 std::string(report.reached.name) + "; not examined: the tolerance");
+  TypeParam damaged = data;
+  damaged.dimension = -1;
+  const CheckReport violation = check(damaged);
+  EXPECT_EQ(written(violation), "violation at level 1, storage: " + violation.violation);
 }
 
 TYPED_TEST(Levels, WrongOptionsAreRefused) {

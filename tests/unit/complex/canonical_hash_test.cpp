@@ -8,6 +8,9 @@
 
 #include <array>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
+#include <string>
 
 namespace delone::complex {
 namespace {
@@ -26,6 +29,9 @@ std::string hash(const ComplexData& data) { return canonical_hash(data).hex(); }
 TEST(CanonicalHash, IsWrittenInHexadecimals) {
   EXPECT_EQ((CanonicalHash{0x0123456789abcdefu, 1}).hex(), "0123456789abcdef0000000000000001");
   EXPECT_EQ(CanonicalHash{}.hex(), std::string(32, '0'));
+  std::ostringstream out;
+  out << std::uppercase << CanonicalHash{0x0123456789abcdefu, 1} << ' ' << std::setw(34) << CanonicalHash{};
+  EXPECT_EQ(out.str(), "0123456789abcdef0000000000000001   " + std::string(32, '0'));
 }
 
 // Recorded values: hashes in files and in test suites elsewhere depend on them.

@@ -18,7 +18,8 @@ namespace {
 using namespace delone;
 using delone_test::expect_error;
 
-const std::vector<std::string> point_formats{"npy", "csv", "tsv", "txt", "xyz", "pts", "off", "ply", "qhull"};
+const std::vector<std::string> point_formats{"npy", "csv", "tsv", "txt", "xyz",  "pts",
+                                             "off", "ply", "pdb", "las", "qhull"};
 const std::vector<std::string> data_formats{"npz", "json", "off"};
 
 /// Runs use(path) on a stream: a first piece, then another again and again.
