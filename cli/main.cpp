@@ -228,11 +228,10 @@ int run(int argc, char** argv) {
       {"delone view points.csv -o page.html", "delone view cells.npz --title Cells -o cells.html",
        "delone view table.csv --values w --of voronoi -o areas.html"});
   app.footer(
-      "Points are read from .npy .csv .tsv .txt .xyz .pts .off .ply files, or in Qhull's form from standard "
-      "input (-);\n"
-      "any of them may be compressed (.csv.gz). 'delone help COMMAND' or 'delone COMMAND --help' shows the "
-      "options of a\n"
-      "command, with examples.\n"
+      "Points are read from .npy .csv .tsv .txt .xyz .pts .off .ply .pdb .las files, or in Qhull's form "
+      "from\n"
+      "standard input (-); any of them may be compressed (.csv.gz). 'delone help COMMAND' or 'delone COMMAND "
+      "--help'\nshows the options of a command, with examples.\n"
       "Exit status: 0 success, 1 a check failed, 2 bad input or output, 3 too large for memory or a limit, "
       "64 "
       "wrong usage,\n130 or 143 interrupted, 141 standard output closed.");

@@ -246,8 +246,8 @@ bool names_a_file(const std::string& columns_or_file) {
 }
 
 const std::vector<std::string>& point_formats() {
-  static const std::vector<std::string> formats{"npy", "csv", "tsv", "txt", "xyz",
-                                                "pts", "dat", "off", "ply", "qhull"};
+  static const std::vector<std::string> formats{"npy", "csv", "tsv", "txt", "xyz", "pts",
+                                                "dat", "off", "ply", "pdb", "las", "qhull"};
   return formats;
 }
 

@@ -360,7 +360,7 @@ def make_tiles(points, folder, *, weights=None, columns=None, format=None, raw=N
     Parameters
     ----------
     points : str, os.PathLike or (n, d) array_like
-        The points. Files .npy, .csv, .tsv, .txt, .xyz and .pts are read in pieces, .off and .ply at once.
+        The points. Files .npy, .csv, .tsv, .txt, .xyz and .pts are read in pieces, .off, .ply, .pdb and .las at once.
     folder : str or os.PathLike
         The folder. It is created, or must be empty, or hold the work of an earlier call with the same arguments.
     weights : (n,) array_like, str or int, optional

@@ -62,13 +62,13 @@ class Input(Case):
 
     def test_atoms_and_scans(self):
         numbers = np.random.default_rng(5).integers(-100_000, 100_000, (40, 3)).astype("<i4")
-        points = numbers * 0.001 + [100.0, -2000.0, 0.5]
+        points = numbers * 0.001 + [100.0, -200.0, 0.5]
         expected = self.stats(self.file("a.npy", points))["hash"]
         atoms = "".join("C%d %r %r %r 0.5\n" % (i, *map(float, p)) for i, p in enumerate(points))
         self.assertEqual(self.stats(self.file("a.xyz", f"40\nfrom a program\n{atoms}"))["hash"], expected)
         header = bytearray(227)
         header[:4], header[24:26], header[94:100] = b"LASF", b"\1\2", struct.pack("<HI", 227, 227)
-        header[105:111], header[131:179] = struct.pack("<HI", 20, 40), struct.pack("<6d", 0.001, 0.001, 0.001, 100, -2000, 0.5)
+        header[105:111], header[131:179] = struct.pack("<HI", 20, 40), struct.pack("<6d", 0.001, 0.001, 0.001, 100, -200, 0.5)
         scan = self.file("a.las", bytes(header) + b"".join(row.tobytes() + bytes(8) for row in numbers))
         self.assertEqual(self.stats(scan)["hash"], expected)
         lines = "".join("%-6s%5d  CA  ALA A%4d    %8.3f%8.3f%8.3f  1.00  0.00\n" % ("HETATM" if i % 3 else "ATOM", i, i, *p) for i, p in enumerate(points))
@@ -185,7 +185,7 @@ class MissingValues(Case):
         found = json.loads(text)
         self.assertEqual((found["points"], found["hash"]), (4, self.stats(whole)["hash"]))
         self.assertEqual(self.skipping("delaunay", whole, "--stats")[1], f"delone: {whole}: 0 rows with missing values left out\n")
-        self.assertIn("4 points", self.skipping("info", gaps)[0])
+        self.assertRegex(self.skipping("info", gaps)[0], r"points +4\n")
         for command, *more in (["hull"], ["voronoi"], ["forecast"], ["alpha", "--radius", "9"], ["view", "-o", self.path("a.html")],
                                ["locate", "--queries", gaps], ["interpolate", "--values", "y", "--queries", self.file("q.csv", "x\n1\nNA\n2\n")]):
             self.assertIn("5 rows with missing values left out", self.skipping(command, gaps, *more)[1], command)
