@@ -67,6 +67,7 @@ TEST_F(TextRowsTest, NameTheLine) {
     const std::string name = path("f." + format);
     ASSERT_TRUE(expected.starts_with(name)) << expected;
     expected = "f" + expected.substr(name.size());
+    expected = expected.substr(0, expected.find("; skip_missing"));  // what read_points() adds
     for (std::size_t num_lines = 1; num_lines < 8; ++num_lines) {
       SCOPED_TRACE(text + " in pieces of " + std::to_string(num_lines));
       try {
