@@ -107,12 +107,19 @@ class DelimitedReader {
     at_.move_to(p);
   }
 
+  /// Whether the field at the cursor is a missing one, as the #N/A of spreadsheets.
+  bool at_missing_field() const {
+    const char* stop = at_.position();
+    while (stop != at_.end() && *stop != delimiter_ && *stop != '\n' && *stop != '\r') ++stop;
+    return is_missing(trimmed({at_.position(), static_cast<std::size_t>(stop - at_.position())}));
+  }
+
   /// Goes to the next line that is neither blank nor a comment.
   bool find_row() {
     for (;;) {
       const char* start = at_.position();
       at_.skip_blanks();
-      if (!at_.at_end() && *at_.position() == '#') at_.skip_to_line_end();
+      if (!at_.at_end() && *at_.position() == '#' && !at_missing_field()) at_.skip_to_line_end();
       if (!at_.at_line_end()) {
         at_.move_to(start);  // the blanks may be empty fields of a tsv row
         return true;

@@ -46,6 +46,9 @@ TEST_F(Missing, RowsAreLeftOutInEveryFormat) {
   expect_kept(skip("a.csv", "x,y\n0,1\n,3\n4,5\n6,NA\n"), kept, skipped);
   expect_kept(skip("b.csv", "# c\n\n0,1\n2, - \n# c\n\n4,5\n\"n/a\",\"\"\n"), kept, skipped);
   expect_kept(skip("c.csv", "NA,3\n0,1\n"), {0, 1}, {0});  // no header
+  expect_kept(skip("d.csv", "#N/A,3\n#NA\t,3\n#N/A is a comment,3\n0,1\n #NA ,2\n#"), {0, 1}, {0, 1, 3});
+  expect_error(Errc::bad_format, {"e.csv:2: column 0: '#N/A' is not a number"},
+               [&] { read("e.csv", "0,1\n#N/A,2\n"); });
   expect_kept(skip("a.tsv", "x\ty\n0\t1\n2\t\n4\t5\nNULL\t7\n"), kept, skipped);
   expect_kept(skip("a.txt", "0 1\n2 NaN\n4 5\n- None # c\n"), kept, skipped);
   expect_kept(skip("b.txt", "NA 1\n0 1\n"), {0, 1}, {0});
