@@ -136,8 +136,48 @@ double area(const double* a, const double* b, const Vector& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
+/// The three cubics of an element. Coefficients are named by their multi-indices.
+struct Cubics {
+  double c3000, c0300, c0030, c2100, c2010, c1200, c0210, c1020, c0120, c2001, c0201, c0021, c0111, c1011,
+      c1101, c1002, c0102, c0012, c0003;
+
+  /// The value at barycentric coordinates b.
+  double operator()(const std::array<double, 3>& b) const {
+    const auto [x, y, z, m] = in_part(b);
+    return x * x * x * c3000 + y * y * y * c0300 + z * z * z * c0030 + m * m * m * c0003 +
+           3 * (x * x * (y * c2100 + z * c2010 + m * c2001) + y * y * (x * c1200 + z * c0210 + m * c0201) +
+                z * z * (x * c1020 + y * c0120 + m * c0021) + m * m * (x * c1002 + y * c0102 + z * c0012)) +
+           6 * m * (x * y * c1101 + x * z * c1011 + y * z * c0111);
+  }
+
+  /// The derivatives with respect to b.
+  std::array<double, 3> derivatives(const std::array<double, 3>& b) const {
+    const auto [x, y, z, m] = in_part(b);
+    std::array<double, 3> result{
+        3 * (x * x * c3000 + 2 * x * (y * c2100 + z * c2010 + m * c2001) + y * y * c1200 + z * z * c1020 +
+             m * m * c1002 + 2 * m * (y * c1101 + z * c1011)),
+        3 * (y * y * c0300 + 2 * y * (x * c1200 + z * c0210 + m * c0201) + x * x * c2100 + z * z * c0120 +
+             m * m * c0102 + 2 * m * (x * c1101 + z * c0111)),
+        3 * (z * z * c0030 + 2 * z * (x * c1020 + y * c0120 + m * c0021) + x * x * c2010 + y * y * c0210 +
+             m * m * c0012 + 2 * m * (x * c1011 + y * c0111))};
+    const double by_m =
+        3 * (m * m * c0003 + 2 * m * (x * c1002 + y * c0102 + z * c0012) + x * x * c2001 + y * y * c0201 +
+             z * z * c0021 + 2 * (x * y * c1101 + x * z * c1011 + y * z * c0111));
+    // The least coordinate l enters as x − l, y − l, z − l and m = 3l.
+    const auto least = std::min_element(b.begin(), b.end()) - b.begin();
+    result[static_cast<std::size_t>(least)] += 3 * by_m - result[0] - result[1] - result[2];
+    return result;
+  }
+
+ private:
+  /// In the part opposite the least coordinate, that one is 0 and the centroid's 3 times the least.
+  static std::array<double, 4> in_part(const std::array<double, 3>& b) {
+    const double least = std::min({b[0], b[1], b[2]});
+    return {b[0] - least, b[1] - least, b[2] - least, 3 * least};
+  }
+};
+
 /// One triangle of the Clough-Tocher split: three cubics that meet in its centroid, the fourth vertex.
-/// Coefficients are named by their multi-indices.
 class Element {
  public:
   /// corners: of the triangle; across: of the neighbor opposite each vertex, or null.
@@ -162,9 +202,8 @@ class Element {
     }
   }
 
-  /// The value at barycentric coordinates b, for values f and gradients g at the corners.
-  double operator()(const std::array<double, 3>& b, const std::array<double, 3>& f,
-                    const std::array<const double*, 3>& g) const {
+  /// The cubics for values f and gradients g at the corners.
+  Cubics cubics(const std::array<double, 3>& f, const std::array<const double*, 3>& g) const {
     // Edge 2 is from corner 0 to 1, edge 0 from 1 to 2, edge 1 from 2 to 0.
     const auto along = [&](int corner, int edge) {
       return (g[corner][0] * edge_[edge][0] + g[corner][1] * edge_[edge][1]) / 3;
@@ -186,14 +225,19 @@ class Element {
     const double c1002 = (c1101 + c1011 + c2001) / 3, c0102 = (c1101 + c0111 + c0201) / 3,
                  c0012 = (c1011 + c0111 + c0021) / 3;
     const double c0003 = (c1002 + c0102 + c0012) / 3;
+    return {c3000, c0300, c0030, c2100, c2010, c1200, c0210, c1020, c0120, c2001,
+            c0201, c0021, c0111, c1011, c1101, c1002, c0102, c0012, c0003};
+  }
 
-    // In the part opposite the least coordinate, that one is 0 and the centroid's 3 times the least.
-    const double least = std::min({b[0], b[1], b[2]});
-    const double x = b[0] - least, y = b[1] - least, z = b[2] - least, m = 3 * least;
-    return x * x * x * c3000 + y * y * y * c0300 + z * z * z * c0030 + m * m * m * c0003 +
-           3 * (x * x * (y * c2100 + z * c2010 + m * c2001) + y * y * (x * c1200 + z * c0210 + m * c0201) +
-                z * z * (x * c1020 + y * c0120 + m * c0021) + m * m * (x * c1002 + y * c0102 + z * c0012)) +
-           6 * m * (x * y * c1101 + x * z * c1011 + y * z * c0111);
+  /// The gradient of a function of barycentric coordinates with these derivatives.
+  Vector gradient(const std::array<double, 3>& derivatives) const {
+    const double area = edge_[0][0] * edge_[1][1] - edge_[0][1] * edge_[1][0];
+    Vector sum{};
+    for (int k = 0; k < 3; ++k) {
+      sum[0] -= derivatives[k] * edge_[k][1] / area;
+      sum[1] += derivatives[k] * edge_[k][0] / area;
+    }
+    return sum;
   }
 
  private:
@@ -204,17 +248,20 @@ class Element {
 };
 
 py::array evaluate(const Reals& points, const Rows& cells, const Rows& neighbors, const Reals& values,
-                   const Reals& slopes, const Rows& found, const Reals& weights, const Reals& fill) {
+                   const Reals& slopes, const Rows& found, const Reals& weights, const Reals& fill,
+                   bool wants_gradients) {
   if (points.ndim() != 2 || points.shape(1) != 2 || cells.ndim() != 2 || cells.shape(1) != 3 ||
       neighbors.ndim() != 2 || neighbors.shape(0) != cells.shape(0) || neighbors.shape(1) != 3 ||
       values.ndim() != 2 || values.shape(0) != points.shape(0) || slopes.size() != 2 * values.size() ||
       found.ndim() != 1 || weights.ndim() != 2 || weights.shape(0) != found.shape(0) ||
-      weights.shape(1) != 3 || fill.size() != values.shape(1) || !in_range(cells, 0, points.shape(0)) ||
-      !in_range(neighbors, -1, cells.shape(0)) || !in_range(found, -1, cells.shape(0)))
+      weights.shape(1) != 3 || fill.size() != values.shape(1) * (wants_gradients ? 2 : 1) ||
+      !in_range(cells, 0, points.shape(0)) || !in_range(neighbors, -1, cells.shape(0)) ||
+      !in_range(found, -1, cells.shape(0)))
     throw py::value_error("the arrays of the element do not fit each other");
   const auto columns = static_cast<std::size_t>(values.shape(1)),
              count = static_cast<std::size_t>(found.shape(0));
-  py::array_t<double> result({count, columns});
+  const std::size_t width = wants_gradients ? 2 * columns : columns;
+  py::array_t<double> result({count, width});
   Supervisor supervisor;
   supervisor.run([&, out = result.mutable_data()] {
     const auto corners_of = [&, p = points.data(), c = cells.data()](SignedIndex cell) {
@@ -224,10 +271,10 @@ py::array evaluate(const Reals& points, const Rows& cells, const Rows& neighbors
     };
     for (std::size_t q = 0; q < count; ++q) {
       cancellation_point();
-      double* const row = out + q * columns;
+      double* const row = out + q * width;
       const SignedIndex cell = found.data()[q];
       if (cell < 0) {
-        std::copy_n(fill.data(), columns, row);
+        std::copy_n(fill.data(), width, row);
         continue;
       }
       const std::size_t first = 3 * static_cast<std::size_t>(cell);
@@ -242,8 +289,14 @@ py::array evaluate(const Reals& points, const Rows& cells, const Rows& neighbors
       const Element element(corners_of(cell), across);
       for (std::size_t c = 0; c < columns; ++c) {
         const double *const f = values.data() + c, *const g = slopes.data() + 2 * c;
-        row[c] = element(b, {f[rows[0]], f[rows[1]], f[rows[2]]},
-                         {g + 2 * rows[0], g + 2 * rows[1], g + 2 * rows[2]});
+        const Cubics cubics = element.cubics({f[rows[0]], f[rows[1]], f[rows[2]]},
+                                             {g + 2 * rows[0], g + 2 * rows[1], g + 2 * rows[2]});
+        if (wants_gradients) {
+          const Vector gradient = element.gradient(cubics.derivatives(b));
+          std::copy(gradient.begin(), gradient.end(), row + 2 * c);
+        } else {
+          row[c] = cubics(b);
+        }
       }
     }
   });
@@ -259,9 +312,9 @@ void bind_clough_tocher(py::module_& module) {
              "delone.interpolate.CloughTocher2DInterpolator. The ends of the "
              "edges at point p are ends[offsets[p]:offsets[p+1]].");
   module.def("_clough_tocher", &evaluate, "points"_a, "cells"_a, "neighbors"_a, "values"_a, "gradients"_a,
-             "found"_a, "weights"_a, "fill"_a,
+             "found"_a, "weights"_a, "fill"_a, "wants_gradients"_a = false,
              "(q, c): the cubic at barycentric coordinates, (q, 3), in triangles, (q,); fill, (c,), in "
-             "triangle -1.");
+             "triangle -1. Or its gradients, with two numbers in place of each.");
 }
 
 }  // namespace delone::python

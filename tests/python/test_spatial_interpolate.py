@@ -74,6 +74,42 @@ def test_cubic_agrees(points, kind, rescale, seed):
     np.testing.assert_allclose(found(queries), expected(queries), rtol=1e-10, atol=1e-10 * scale)
 
 
+@pytest.mark.parametrize("kind", ["real", "trailing", "complex"])
+@pytest.mark.parametrize("rescale", [False, True])
+def test_gradients_of_cubics(kind, rescale):
+    random = np.random.default_rng(5)
+    points = random.random((200, 2)) * [1, 30 if rescale else 1]
+    points = np.concatenate([points, points[:3]])
+    function = interpolate.CloughTocher2DInterpolator(points, values_of(points, kind, random), tol=1e-12, rescale=rescale)
+    queries = points.mean(axis=0) + (random.random((50, 5, 2)) - 0.5) * np.ptp(points, axis=0) * 0.8
+    found, step = function.gradient(queries), 1e-5 * np.ptp(points, axis=0)
+    assert found.shape == (50, 5, *function.values_shape, 2) and found.dtype == function(queries).dtype
+    for axis in range(2):  # differences of a cubic: a kink between two thirds costs O(step)
+        ahead, behind = queries.copy(), queries.copy()
+        ahead[..., axis] += step[axis]
+        behind[..., axis] -= step[axis]
+        np.testing.assert_allclose(found[..., axis], (function(ahead) - function(behind)) / (2 * step[axis]), rtol=1e-3,
+                                   atol=1e-3 * np.abs(found[..., axis]).max())
+    inner = np.flatnonzero((np.abs(points - points.mean(axis=0)) < 0.4 * np.ptp(points, axis=0)).all(axis=1) & (np.arange(len(points)) < 200))
+    scale = 1 if function.scale is None else function.scale
+    at_points = (function.grad / scale).reshape(len(points), *function.values_shape, 2)
+    np.testing.assert_allclose(function.gradient(points[inner]), at_points[inner], rtol=1e-6, atol=1e-6 * np.abs(at_points).max())
+    np.testing.assert_array_equal(function.gradient(queries[..., 0], queries[..., 1]), found)
+    assert np.isnan(function.gradient([[-9, 0], [np.nan, 0.5], [np.inf, 1]])).all()
+
+
+def test_gradients_of_cubics_on_a_lattice():
+    points = np.mgrid[:6, :6].reshape(2, -1).T.astype(float)
+    function = interpolate.CloughTocher2DInterpolator(points, points @ [2, -3], tol=1e-14)
+    queries = np.concatenate([points, points[:-7] + 0.5, points[:-7] + 1 / 3])
+    inside = queries[(queries <= 5).all(axis=1)]
+    np.testing.assert_allclose(function.gradient(inside), np.tile([2, -3], (len(inside), 1)), atol=1e-9)
+    function.values = points[:, 0] ** 2
+    assert abs(function.gradient(2.5, 2.5)[0] - 5) < 0.2
+    with pytest.raises(ValueError, match="dimensions"):
+        function.gradient([[1, 2, 3]])
+
+
 @given(points=general_points(), kind=KINDS, rescale=st.booleans(), seed=st.integers(0, 2**32 - 1))
 @QUICK
 def test_nearest_agrees(points, kind, rescale, seed):
