@@ -15,6 +15,7 @@ from ._core import (AlphaComplex, CancelledError, ConvexHull, Delaunay, Error, F
                     LinearInterpolator, LowerHull, NaturalNeighborInterpolator, OutOfMemoryError, PowerDiagram, Regular, TimeLimitError,
                     TrimResult, Voronoi, __version__, estimate, forecast, natural_neighbors)
 from ._changes import Changes
+from ._clipped_regions import ClippedRegions
 from ._convex_hulls import ConvexHulls, convex_hulls
 from ._data import ComplexData, Data, HullData, IntersectionData, VoronoiData
 from ._files import CheckReport, check, generate, lower_hull, read, write_points
@@ -23,14 +24,14 @@ from ._methods import attach as _attach
 from ._missing import attach as _attach_missing
 from ._patch import patch_scipy, scipy_is_patched, unpatch_scipy
 
-__all__ = ["AlphaComplex", "CancelledError", "Changes", "CheckReport", "ComplexData", "ConvexHull", "ConvexHulls", "Data", "Delaunay", "Error", "Faces",
+__all__ = ["AlphaComplex", "CancelledError", "Changes", "CheckReport", "ClippedRegions", "ComplexData", "ConvexHull", "ConvexHulls", "Data", "Delaunay", "Error", "Faces",
            "Forecast", "FurthestSite", "FurthestVoronoi", "HalfspaceIntersection", "HullData", "InputError", "IntersectionData", "LinearInterpolator", "Locations",
            "LowerHull", "NaturalNeighborInterpolator", "OutOfMemoryError", "PowerDiagram", "Regular", "TimeLimitError", "TrimResult", "Voronoi",
            "VoronoiData", "__version__", "check", "convex_hulls", "estimate", "forecast", "generate", "lower_hull", "natural_neighbors",
            "patch_scipy", "read", "scipy_is_patched", "unpatch_scipy", "write_points"]
 
 for _name in __all__:
-    if getattr(globals()[_name], "__module__", "").startswith(("delone._core", "delone._changes", "delone._convex_hulls", "delone._data", "delone._files")):
+    if getattr(globals()[_name], "__module__", "").startswith(("delone._core", "delone._changes", "delone._clipped_regions", "delone._convex_hulls", "delone._data", "delone._files")):
         globals()[_name].__module__ = "delone"
 del _name
 _attach()

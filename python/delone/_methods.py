@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import types
 
-from . import _core, _export, _files, _frames, _html, _plot, _viewer
+from . import _clipped_regions, _core, _export, _files, _frames, _html, _plot, _viewer
 from ._transform import transform
 
 OF = {
@@ -18,7 +18,8 @@ OF = {
     _core.AlphaComplex: {"plot": _plot.alpha_complex, "_repr_html_": _html.alpha_complex, "to_html": _viewer.alpha_complex, "save": _files.save_alpha, "to_data": _files.alpha_to_data,
                          **_export.methods(_export.alpha_complex)},
     _core.Diagram: {"plot": _plot.diagram, "_repr_html_": _html.diagram, "to_frame": _frames.diagram, "to_html": _viewer.diagram,
-                    "save": _files.save_diagram, "to_data": _files.to_data, **_export.methods(_export.diagram)},
+                    "save": _files.save_diagram, "to_data": _files.to_data, "clipped_regions": _clipped_regions.clipped_regions,
+                    **_export.methods(_export.diagram)},
     _core.HalfspaceIntersection: {"plot": _plot.intersection, "_repr_html_": _html.intersection, "to_frame": _frames.intersection,
                                   "to_html": _viewer.intersection, "save": _files.save, "to_data": _files.to_data,
                                   **_export.methods(_export.intersection)},

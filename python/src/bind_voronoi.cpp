@@ -139,6 +139,20 @@ py::array region_volumes(const HeldDiagram& held, const py::object& object, cons
   return list_view(at == "points" ? at_points(held, volumes) : std::move(volumes));
 }
 
+/// The arrays of a delone.ClippedRegions.
+py::tuple clipped_regions(const HeldDiagram& held, const py::object& object,
+                          const py::array_t<double, py::array::c_style | py::array::forcecast>& halfspaces) {
+  const std::optional<Box> box = as_box(object);
+  if (!box) throw py::value_error("box: (low, high), each of d numbers");
+  Supervisor supervisor;
+  ClippedRegions made = supervisor.run(
+      [&] { return held.diagram().clipped_regions(*box, numbers(halfspaces), {.threads = held.threads()}); });
+  const std::size_t count = made.num_vertices();
+  return py::make_tuple(rows_view(std::move(made.vertices), count, held.dimension()),
+                        list_view(std::move(made.face_vertices)), list_view(std::move(made.face_offsets)),
+                        list_view(std::move(made.region_offsets)), list_view(std::move(made.neighbors)));
+}
+
 std::string html_of_diagram(const HeldDiagram& held, const std::string& title,
                             std::vector<std::string> columns, const py::object& values, const std::string& at,
                             const std::string& name, const py::object& object) {
@@ -297,6 +311,7 @@ void bind_voronoi(py::module_& module) {
              return to_python(supervisor.run([&] { return h.diagram().to_data(); }));
            })
       .def("_save", &save, "path"_a, "format"_a, "qhull"_a, "columns"_a, "box"_a)
+      .def("_clipped_regions", &clipped_regions, "box"_a, "halfspaces"_a)
       .def("region_volumes", &region_volumes, "box"_a = py::none(), py::kw_only(), "at"_a = "regions",
            text(docs::voronoi::region_volumes))
       .def(

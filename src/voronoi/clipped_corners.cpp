@@ -103,6 +103,16 @@ double RegionClipper::refine(Corner corner, double alpha) {
                     : kernel::two_sum(site_.point[axis], -box_.low[axis]);
         parts = std::abs(b.high);
         subtract({is_high ? 1.0 : -1.0, 0}, axis);
+      } else if (plane < num_fixed_planes()) {
+        const double* const row = halfspace(plane);
+        b = {-row[d_], 0};
+        parts = std::abs(row[d_]);
+        for (std::size_t j = 0; j < d_; ++j) {
+          const DoubleDouble product = DoubleDouble{row[j], 0} * DoubleDouble{site_.point[j], 0};
+          b = b - product;
+          parts += std::abs(product.high);
+          subtract({row[j], 0}, j);
+        }
       } else {
         const Site& other = others_[other_of_plane_[plane]];
         b = -kernel::two_sum(other.weight, -site_.weight);
@@ -136,13 +146,25 @@ double RegionClipper::refine(Corner corner, double alpha) {
   return 1.01 * (radius / (1 - alpha) + u * largest);
 }
 
-void RegionClipper::find_coordinates_exactly(Corner corner) {
+/// The corner less the site, in units of 2^grid_.
+kernel::Fractions RegionClipper::solve_exactly(Corner corner) {
   std::vector<kernel::Integer> system;
   for (std::size_t i = 0; i < d_; ++i) {
     const auto& row = exact_plane(planes_of(corner)[i]);
     system.insert(system.end(), row.begin(), row.end());
   }
-  const kernel::Fractions solution = kernel::solve_exactly(std::move(system), d_);
+  return kernel::solve_exactly(std::move(system), d_);
+}
+
+RegionClipper::ExactCorner RegionClipper::exact_corner(Corner corner) {
+  ExactCorner result{solve_exactly(corner), grid_};
+  for (std::size_t j = 0; j < d_; ++j)
+    result.at.numerators[j] += kernel::scaled_integer(site_.point[j], grid_) * result.at.denominator;
+  return result;
+}
+
+void RegionClipper::find_coordinates_exactly(Corner corner) {
+  const kernel::Fractions solution = solve_exactly(corner);
   double largest = 0;
   for (std::size_t j = 0; j < d_; ++j) {
     position(corner)[j] = kernel::nearest_double(solution.numerators[j], solution.denominator, grid_);

@@ -27,8 +27,8 @@ namespace delone::voronoi {
 
 using namespace clipper_limits;
 
-RegionClipper::RegionClipper(const Box& box, bool furthest)
-    : d_(box.low.size()), box_(box), furthest_(furthest) {
+RegionClipper::RegionClipper(const Box& box, bool furthest, std::span<const double> halfspaces)
+    : d_(box.low.size()), box_(box), furthest_(furthest), halfspaces_(halfspaces) {
   is_moderate_ = true;
   for (std::size_t j = 0; j < d_; ++j) {
     const double side = box.high[j] / 2 - box.low[j] / 2;
@@ -47,6 +47,7 @@ void RegionClipper::clip(const Site& site, std::span<const Site> others) {
   others_ = others;
   has_grid_ = has_ties_ = false;
   make_box();
+  make_halfspaces();
   make_bisectors(others);
   for (std::size_t plane = 2 * d_; plane < planes_.size(); ++plane) cut(plane);
 }
@@ -82,6 +83,23 @@ void RegionClipper::make_box() {
     }
 }
 
+/// a·x + c ≤ 0 gives a·y ≤ −c − a·site. Products and partial sums are off by u each.
+void RegionClipper::make_halfspaces() {
+  for (std::size_t plane = 2 * d_; plane < num_fixed_planes(); ++plane) {
+    const double* const row = halfspace(plane);
+    Plane& made = planes_.emplace_back();
+    made.a.assign(row, row + d_);
+    made.b = -row[d_];
+    double magnitude = std::abs(made.b);
+    for (std::size_t j = 0; j < d_; ++j) {
+      const double product = row[j] * site_.point[j];
+      made.b -= product;
+      magnitude += std::abs(product);
+    }
+    made.b_error = 1.01 * static_cast<double>(d_ + 1) * u * magnitude + underflow;
+  }
+}
+
 /// Half the difference of the powers of x with respect to the sites s and t gives
 /// (t − s)·y ≤ (|t − s|² − (w_t − w_s))/2, for furthest sites (s − t)·y ≤ −|t − s|²/2. The bisectors that
 /// leave least on the side of the site come first, which keeps the polytope small.
@@ -109,7 +127,7 @@ void RegionClipper::make_bisectors(std::span<const Site> others) {
   std::iota(order_.begin(), order_.end(), std::size_t{0});
   std::stable_sort(order_.begin(), order_.end(),
                    [&](std::size_t a, std::size_t b) { return distances[a] < distances[b]; });
-  other_of_plane_.assign(2 * d_, 0);
+  other_of_plane_.assign(num_fixed_planes(), 0);
   for (const std::size_t o : order_) {
     planes_.push_back(std::move(made[o]));
     other_of_plane_.push_back(o);
@@ -163,6 +181,18 @@ const std::vector<kernel::Integer>& RegionClipper::exact_plane(std::size_t plane
     p.exact[axis] = is_high ? 1 : -1;
     p.exact[d_] = is_high ? integer(box_.high[axis]) - integer(site_.point[axis])
                           : integer(site_.point[axis]) - integer(box_.low[axis]);
+    return p.exact;
+  }
+  if (plane < num_fixed_planes()) {
+    const double* const row = halfspace(plane);
+    int grid = row[d_] == 0 ? std::numeric_limits<int>::max() : kernel::trailing_exponent(row[d_]) - grid_;
+    for (std::size_t j = 0; j < d_; ++j) grid = std::min(grid, kernel::trailing_exponent(row[j]));
+    kernel::Integer bound = -kernel::scaled_integer(row[d_], grid + grid_);
+    for (std::size_t j = 0; j < d_; ++j) {
+      p.exact.push_back(kernel::scaled_integer(row[j], grid));
+      bound -= p.exact.back() * integer(site_.point[j]);
+    }
+    p.exact.push_back(std::move(bound));
     return p.exact;
   }
   const Site& other = others_[other_of_plane_[plane]];
@@ -329,39 +359,68 @@ std::optional<double> RegionClipper::volume_by_faces() {
   return volume;
 }
 
-/// The corners on a plane in the order of its polygon; for d = 2, all corners.
+std::vector<RegionClipper::Corner> RegionClipper::corners() const {
+  std::vector<Corner> result;
+  for (Corner c = 0; c < alive_.size(); ++c)
+    if (alive_[c] != 0) result.push_back(c);
+  return result;
+}
+
+/// Whether the way around a plane, from a corner along the plane `along` away from the plane `leaves`, is
+/// counterclockwise seen from outside: whether the outward normal of `along` is on its right. With normals F,
+/// G of the two and H of the last the way is t = −sign(det(F, G, H))·F×G, as t·H < 0, and then G·(t×F) has
+/// the sign of −det(F, G, H). In the plane there is no F, and det(G, H) in place of that.
+bool RegionClipper::is_counterclockwise(std::size_t plane, std::size_t along, std::size_t leaves) {
+  std::vector<kernel::Integer> normals;
+  const auto append = [&](std::size_t p) {
+    const auto& row = exact_plane(p);
+    normals.insert(normals.end(), row.begin(), row.end() - 1);
+  };
+  if (d_ == 3) append(plane);
+  append(along);
+  append(leaves);
+  return kernel::exact_determinant(std::move(normals), d_) < 0;
+}
+
+/// The corners on a plane in the order of its polygon, counterclockwise; for d = 2, all corners.
 std::vector<Index> RegionClipper::cycle(std::size_t plane, const std::vector<Index>& number,
                                         const std::vector<Corner>& corners) {
+  const auto is_on = [&](std::size_t p) { return d_ == 3 && p == plane; };
+  const auto start = std::find_if(corners.begin(), corners.end(), [&](Corner c) {
+    return d_ == 2 || std::find(planes_of(c), planes_of(c) + d_, plane) != planes_of(c) + d_;
+  });
   std::vector<Index> face;
-  Corner start = alive_.size();
-  for (const Corner c : corners)
-    if (d_ == 2 || std::find(planes_of(c), planes_of(c) + d_, plane) != planes_of(c) + d_) {
-      start = c;
-      break;
-    }
-  if (start == alive_.size()) return face;
-  Corner at = start, before = alive_.size();
+  if (start == corners.end()) return face;
+  std::size_t slots[2], count = 0;  // of the two ways from the first corner
+  for (std::size_t i = 0; i < d_; ++i)
+    if (!is_on(planes_of(*start)[i])) slots[count++] = i;
+  const std::size_t first = planes_of(*start)[slots[0]], second = planes_of(*start)[slots[1]];
+  Corner at = *start, next = neighbors(at)[is_counterclockwise(plane, second, first) ? slots[0] : slots[1]];
   do {
     if (face.empty() || face.back() != number[at]) face.push_back(number[at]);
-    Corner next = alive_.size();
-    for (std::size_t i = 0; i < d_ && next == alive_.size(); ++i)
-      if ((d_ == 2 || planes_of(at)[i] != plane) && neighbors(at)[i] != before) next = neighbors(at)[i];
-    before = at;
-    at = next == alive_.size() ? start : next;
-  } while (at != start);
+    const Corner before = std::exchange(at, next);
+    for (std::size_t i = 0; i < d_; ++i)
+      if (!is_on(planes_of(at)[i]) && neighbors(at)[i] != before) next = neighbors(at)[i];
+  } while (at != *start);
   while (face.size() > 1 && face.front() == face.back()) face.pop_back();
   return face;
 }
 
+std::vector<std::vector<Index>> RegionClipper::faces(const std::vector<Index>& number) {
+  const std::vector<Corner> all = corners();
+  std::vector<std::vector<Index>> result;
+  for (std::size_t plane = 0; plane < (d_ == 2 ? 1 : planes_.size()); ++plane)
+    if (std::vector<Index> face = cycle(plane, number, all); face.size() > 2)
+      result.push_back(std::move(face));
+  return result;
+}
+
 ClippedRegion RegionClipper::geometry() {
   ClippedRegion region;
-  std::vector<Corner> corners;
-  for (Corner c = 0; c < alive_.size(); ++c)
-    if (alive_[c] != 0) corners.push_back(c);
   // After a tie several corners may coincide. Correctly rounded, they become equal.
+  std::vector<Corner> sorted = corners();
   if (has_ties_)
-    for (const Corner c : corners) find_coordinates_exactly(c);
-  std::vector<Corner> sorted = corners;
+    for (const Corner c : sorted) find_coordinates_exactly(c);
   const auto less = [&](Corner a, Corner b) {
     return std::lexicographical_compare(position(a), position(a) + d_, position(b), position(b) + d_);
   };
@@ -377,35 +436,8 @@ ClippedRegion RegionClipper::geometry() {
     }
     number[sorted[i]] = count - 1;
   }
-  const auto at = [&](Index corner, std::size_t j) { return region.corners[corner * d_ + j]; };
   if (d_ == 1 && count == 2) region.faces = {{0, 1}};
-  if (d_ == 2) {
-    std::vector<Index> polygon = cycle(0, number, corners);
-    double twice_area = 0;
-    for (std::size_t i = 0; i + 1 < polygon.size(); ++i)
-      twice_area += (at(polygon[i], 0) - at(polygon[0], 0)) * (at(polygon[i + 1], 1) - at(polygon[0], 1)) -
-                    (at(polygon[i], 1) - at(polygon[0], 1)) * (at(polygon[i + 1], 0) - at(polygon[0], 0));
-    if (twice_area < 0) std::reverse(polygon.begin(), polygon.end());
-    if (polygon.size() > 2) region.faces.push_back(std::move(polygon));
-  }
-  if (d_ == 3)
-    for (std::size_t plane = 0; plane < planes_.size(); ++plane) {
-      std::vector<Index> face = cycle(plane, number, corners);
-      if (face.size() < 3) continue;
-      double along = 0;  // the vector area times the outward normal
-      for (std::size_t i = 1; i + 1 < face.size(); ++i) {
-        double p[3], q[3];
-        for (std::size_t j = 0; j < 3; ++j) {
-          p[j] = at(face[i], j) - at(face[0], j);
-          q[j] = at(face[i + 1], j) - at(face[0], j);
-        }
-        along += planes_[plane].a[0] * (p[1] * q[2] - p[2] * q[1]) +
-                 planes_[plane].a[1] * (p[2] * q[0] - p[0] * q[2]) +
-                 planes_[plane].a[2] * (p[0] * q[1] - p[1] * q[0]);
-      }
-      if (along < 0) std::reverse(face.begin(), face.end());
-      region.faces.push_back(std::move(face));
-    }
+  if (d_ > 1) region.faces = faces(number);
   if (region.faces.size() < (d_ == 3 ? 4 : 1)) return {};
   return region;
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Clips one region to a box. The box is a simple polytope with 2^d corners, and one bisector after the other
-// cuts it. Every decision (is this corner beyond that hyperplane?) is exact: corners are known within a
-// certified radius, and where that leaves the sign open, it is the sign of a determinant in integers. Ties
-// are broken by a symbolic perturbation that moves every hyperplane outward, later ones less. So the polytope
-// stays simple and its combinatorics consistent for any input.
+// Clips one region to a box and to halfspaces. The box is a simple polytope with 2^d corners, and one
+// halfspace and bisector after the other cuts it. Every decision (is this corner beyond that hyperplane?) is
+// exact: corners are known within a certified radius, and where that leaves the sign open, it is the sign of
+// a determinant in integers. Ties are broken by a symbolic perturbation that moves every hyperplane outward,
+// later ones less. So the polytope stays simple and its combinatorics consistent for any input.
 #pragma once
 
 #include "kernel/fractions.hpp"
@@ -23,8 +23,9 @@ class RegionClipper {
  public:
   /// REQUIRES a box of dimension at most 12 with low < high, both finite.
   /// `furthest`: whether the region of a site is that of the points not further from any other one; then
-  /// weights are not looked at.
-  explicit RegionClipper(const Box& box, bool furthest = false);
+  /// weights are not looked at. `halfspaces`: rows of d + 1 finite numbers a, c of a·x + c ≤ 0, with a ≠ 0,
+  /// which must stay valid.
+  explicit RegionClipper(const Box& box, bool furthest = false, std::span<const double> halfspaces = {});
 
   struct Site {
     const double* point;
@@ -38,6 +39,25 @@ class RegionClipper {
   /// The corners and faces of the clipped region, with coincident corners merged. REQUIRES d ≤ 3.
   ClippedRegion geometry();
 
+  // The simple polytope of the last clip().
+  using Corner = std::size_t;
+  /// Planes are numbered: those of the box (low, high by axis), the halfspaces, and then bisectors.
+  std::size_t num_fixed_planes() const { return 2 * d_ + halfspaces_.size() / (d_ + 1); }
+  /// Which of the other sites a plane is the bisector with.
+  std::size_t other_of(std::size_t plane) const { return other_of_plane_[plane]; }
+  std::vector<Corner> corners() const;
+  std::span<const std::size_t> planes_through(Corner c) const { return {planes_of_.data() + c * d_, d_}; }
+  /// A corner, in units of 2^grid.
+  struct ExactCorner {
+    kernel::Fractions at;
+    int grid;
+  };
+  ExactCorner exact_corner(Corner c);
+  /// The faces, counterclockwise seen from outside, as lists of numbers of corners without repetitions in a
+  /// row; those of fewer than three are left out. d = 2: the polygon. `number`: by corner, equal for corners
+  /// that coincide. REQUIRES 2 ≤ d ≤ 3.
+  std::vector<std::vector<Index>> faces(const std::vector<Index>& number);
+
  private:
   /// a·y ≤ b for y = x − site. In binary64 each entry of a is within a relative unit roundoff, and b within
   /// b_error.
@@ -46,9 +66,9 @@ class RegionClipper {
     double b = 0, b_error = 0;
     std::vector<kernel::Integer> exact;  // a and b times a positive factor; computed on first use
   };
-  using Corner = std::size_t;
 
   void make_box();
+  void make_halfspaces();
   void make_bisectors(std::span<const Site> others);
   void cut(std::size_t plane);
   bool is_beyond(Corner corner, std::size_t plane);
@@ -62,9 +82,14 @@ class RegionClipper {
   double refine(Corner corner, double alpha);
   void find_coordinates_exactly(Corner corner);
   void link_new_corners(std::size_t plane);
+  kernel::Fractions solve_exactly(Corner corner);
+  bool is_counterclockwise(std::size_t plane, std::size_t along, std::size_t leaves);
   std::vector<Index> cycle(std::size_t plane, const std::vector<Index>& number,
                            const std::vector<Corner>& corners);
 
+  const double* halfspace(std::size_t plane) const {
+    return halfspaces_.data() + (plane - 2 * d_) * (d_ + 1);
+  }
   std::size_t* planes_of(Corner c) { return planes_of_.data() + c * d_; }
   Corner* neighbors(Corner c) { return neighbors_.data() + c * d_; }
   double* position(Corner c) { return positions_.data() + c * d_; }
@@ -72,13 +97,14 @@ class RegionClipper {
   std::size_t d_;
   Box box_;
   bool furthest_;
+  std::span<const double> halfspaces_;
   double extent_ = 0;  // the longest side
   bool is_moderate_ = false;
   Site site_{};
   std::span<const Site> others_;
   int grid_ = 0;
   bool has_grid_ = false, has_ties_ = false;
-  std::vector<Plane> planes_;       // 2d of the box (low, high by axis), then bisectors
+  std::vector<Plane> planes_;
   std::vector<std::size_t> order_;  // of the bisectors
   std::vector<std::size_t> other_of_plane_;
   std::vector<std::size_t> planes_of_;  // d per corner

@@ -8,6 +8,7 @@
 #include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
 #include "base/require_tolerance.hpp"
+#include "voronoi/clipped_regions.hpp"
 #include "voronoi/diagram_simplifier.hpp"
 #include "voronoi/region_clipper.hpp"
 #include "voronoi/ridge_volumes.hpp"
@@ -74,11 +75,19 @@ struct Neighbors {
 /// Clips the regions of a diagram.
 class DiagramClipper {
  public:
-  DiagramClipper(const Diagram& diagram, const Neighbors& neighbors, const Box& box)
+  DiagramClipper(const Diagram& diagram, const Neighbors& neighbors, const Box& box,
+                 std::span<const double> halfspaces = {})
       : diagram_(diagram),
         neighbors_(neighbors),
-        clipper_(box, diagram.kind() == DataKind::furthest_voronoi) {}
+        clipper_(box, diagram.kind() == DataKind::furthest_voronoi, halfspaces) {}
 
+  /// Whether a region may have interior points: the others of a diagram have a ridge. Ties of a power diagram
+  /// can leave a region that is flat or a single point.
+  bool may_have_interior(std::size_t region) const {
+    return diagram_.num_regions() == 1 || neighbors_.offsets[region] < neighbors_.offsets[region + 1];
+  }
+
+  /// REQUIRES may_have_interior().
   voronoi::RegionClipper& clip(std::size_t region) {
     others_.clear();
     for (std::size_t i = neighbors_.offsets[region]; i < neighbors_.offsets[region + 1]; ++i)
@@ -357,7 +366,7 @@ std::vector<double> Diagram::region_volumes(const Box& box, const Execution& how
         for (std::size_t r = first; r < last; ++r) {
           if (inside[r]) continue;
           stop();
-          volumes[r] = clipper.clip(r).volume();
+          volumes[r] = clipper.may_have_interior(r) ? clipper.clip(r).volume() : 0;
         }
       };
     });
@@ -377,8 +386,41 @@ void Diagram::for_each_clipped_region(const Box& box,
   internal::ProgressMeter meter(how.progress, num_regions());
   for (std::size_t r = 0; r < num_regions(); ++r) {
     meter(r);
-    visit(r, clipper.clip(r).geometry());
+    visit(r, clipper.may_have_interior(r) ? clipper.clip(r).geometry() : ClippedRegion{});
   }
+}
+
+ClippedRegions Diagram::clipped_regions(const Box& box, std::span<const double> halfspaces,
+                                        const Execution& how) const {
+  check_box(box);
+  if (dimension_ != 2 && dimension_ != 3)
+    throw Error(Errc::unsupported, "clipped regions as arrays are available in dimensions 2 and 3");
+  const std::size_t width = ambient() + 1;
+  if (halfspaces.size() % width != 0)
+    throw Error(Errc::invalid_argument, "halfspaces are rows of " + std::to_string(width) + " numbers");
+  for (std::size_t i = 0; i < halfspaces.size(); i += width) {
+    const auto row = halfspaces.subspan(i, width);
+    const auto is_zero = [](double x) { return x == 0; };
+    if (!std::all_of(row.begin(), row.end(), [](double x) { return std::isfinite(x); }) ||
+        std::all_of(row.begin(), row.end() - 1, is_zero))
+      throw Error(Errc::invalid_argument, "halfspace " + std::to_string(i / width) +
+                                              " needs finite numbers and a normal that is not 0");
+  }
+  return internal::guarded("the clipped regions", [&] {
+    const Diagram& exact = exact_ != nullptr ? *exact_ : *this;
+    const Neighbors neighbors(exact);
+    DiagramClipper clipper(exact, neighbors, box, halfspaces);
+    voronoi::RegionCollector regions(ambient());
+    internal::ProgressMeter meter(how.progress, num_regions());
+    for (std::size_t r = 0; r < num_regions(); ++r) {
+      meter(r);
+      if (clipper.may_have_interior(r))
+        regions.add(r, clipper.clip(r), std::span(neighbors.others).subspan(neighbors.offsets[r]));
+      else
+        regions.add_empty();
+    }
+    return std::move(regions).finish();
+  });
 }
 
 Box Diagram::bounding_box(double margin) const {

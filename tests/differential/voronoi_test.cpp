@@ -432,6 +432,53 @@ TEST(VoronoiGeometry, FacesCloseAndEnclose) {
   }
 }
 
+TEST(VoronoiGeometry, ClippedRegionsShareTheirFaces) {
+  for (const test::PointSet& set : sets_to_clip()) {
+    if (set.dimension != 2 && set.dimension != 3) continue;
+    const auto d = static_cast<std::size_t>(set.dimension);
+    const Voronoi diagram{Delaunay<>(set.points, set.dimension)};
+    const Box box = diagram.bounding_box(0.1);
+    const auto volumes = diagram.region_volumes(box);
+    const ClippedRegions regions = diagram.clipped_regions(box);
+    ASSERT_EQ(regions.num_regions(), diagram.num_regions());
+    std::map<std::vector<SignedIndex>, std::vector<std::pair<SignedIndex, SignedIndex>>> sides;
+    for (std::size_t r = 0; r < diagram.num_regions(); ++r) {
+      const auto at = [&](SignedIndex c, std::size_t j) {
+        return regions.vertices[static_cast<std::size_t>(c) * d + j] - diagram.site(r)[j];
+      };
+      double volume = 0;
+      std::set<std::pair<SignedIndex, SignedIndex>> edges;
+      for (auto f = static_cast<std::size_t>(regions.region_offsets[r]);
+           f < static_cast<std::size_t>(regions.region_offsets[r + 1]); ++f) {
+        const auto first = static_cast<std::size_t>(regions.face_offsets[f]),
+                   size = static_cast<std::size_t>(regions.face_offsets[f + 1]) - first;
+        const auto face = std::span(regions.face_vertices).subspan(first, size);
+        for (std::size_t i = 0; i < size; ++i) {
+          const SignedIndex a = face[i], b = face[(i + 1) % size], o = face[0];
+          EXPECT_TRUE(edges.emplace(a, b).second);
+          if (d == 2) sides[{std::min(a, b), std::max(a, b)}].emplace_back(r, regions.neighbors[first + i]);
+          if (d == 2) volume += (at(a, 0) * at(b, 1) - at(a, 1) * at(b, 0)) / 2;
+          if (d == 3)
+            volume += (at(o, 0) * (at(a, 1) * at(b, 2) - at(a, 2) * at(b, 1)) +
+                       at(o, 1) * (at(a, 2) * at(b, 0) - at(a, 0) * at(b, 2)) +
+                       at(o, 2) * (at(a, 0) * at(b, 1) - at(a, 1) * at(b, 0))) /
+                      6;
+        }
+        std::vector<SignedIndex> corners(face.begin(), face.end());
+        std::sort(corners.begin(), corners.end());
+        if (d == 3) sides[corners].emplace_back(r, regions.neighbors[f]);
+      }
+      EXPECT_NEAR(volume, volumes[r], 1e-11) << set.name << " d=" << d;
+      for (const auto& [a, b] : edges) EXPECT_EQ(edges.count({b, a}), d - 2);
+    }
+    for (const auto& [corners, of] : sides) {
+      ASSERT_LE(of.size(), 2u);
+      EXPECT_EQ(of[0].second, of.size() == 1 ? -1 : of[1].first);
+      if (of.size() == 2) EXPECT_EQ(of[1].second, of[0].first);
+    }
+  }
+}
+
 /// Weights 2a·p leave the triangulation as it is and move the diagram by −a.
 Regular<> with_shifted_weights(const std::vector<double>& points, const std::vector<double>& a) {
   std::vector<double> weights;

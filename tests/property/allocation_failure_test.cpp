@@ -329,6 +329,7 @@ TEST(AllocationFailure, Diagrams) {
       if (d <= 3)
         diagram.for_each_clipped_region(
             box, [&](std::size_t, const ClippedRegion& region) { add_all(seen, region.corners); });
+      if (d <= 3) add_all(seen, diagram.clipped_regions(box).neighbors);
       add_all(seen, diagram.to_data().region_vertices);
     };
     expect_throws_or_gives("Voronoi", [&](Seen& seen) { see(Voronoi<>(triangulation), seen); });
