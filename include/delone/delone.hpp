@@ -3,6 +3,7 @@
 #pragma once
 
 #include <delone/alpha.hpp>
+#include <delone/alpha_shape.hpp>
 #include <delone/cell_numbers.hpp>
 #include <delone/check.hpp>
 #include <delone/complex.hpp>

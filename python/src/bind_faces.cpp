@@ -9,6 +9,7 @@
 #include "triangulation.hpp"
 
 #include <delone/alpha.hpp>
+#include <delone/alpha_shape.hpp>
 #include <delone/faces.hpp>
 #include <delone/measures.hpp>
 
@@ -19,6 +20,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -120,13 +122,28 @@ class HeldAlpha {
   py::array singular() const { return facets(complex_->singular_facets()); }
 
   HeldFaces faces(int dimension) const {
-    Supervisor supervisor;
-    return supervisor.run([&] {
-      return held_->with_engine([&](const Triangulation&) {
-        if (held_->version() != version_) throw has_changed();
-        return HeldFaces(complex_->faces(dimension, how_of(*held_)));
-      });
-    });
+    return HeldFaces(ask_complex([&] { return complex_->faces(dimension, how_of(*held_)); }));
+  }
+  py::tuple boundary_components() const {
+    BoundaryComponents made = ask_complex([&] { return delone::boundary_components(*complex_); });
+    const std::size_t count = made.components.size();
+    return py::make_tuple(list_view(std::move(made.components)), list_view(std::move(made.bodies)),
+                          rows_view(std::move(made.neighbors), count, corners() < 2 ? 0 : corners() - 1));
+  }
+  /// For each polygon its rings, as lists of rows.
+  py::list polygons() const {
+    const auto made =
+        std::make_shared<const Polygons>(ask_complex([&] { return delone::polygons(*complex_); }));
+    py::list result;
+    for (std::size_t i = 0; i < made->size(); ++i) {
+      py::list rings;
+      for (auto r = made->polygon_offsets[i]; r < made->polygon_offsets[i + 1]; ++r) {
+        const std::span<const SignedIndex> ring = made->ring(static_cast<std::size_t>(r));
+        rings.append(view(ring, {static_cast<py::ssize_t>(ring.size())}, made));
+      }
+      result.append(rings);
+    }
+    return result;
   }
   std::string html(const HtmlOptions& options) const {
     Supervisor supervisor;
@@ -145,6 +162,17 @@ class HeldAlpha {
  private:
   static std::runtime_error has_changed() {
     return std::runtime_error("points have been added to the triangulation of this alpha complex");
+  }
+  /// Calls work() while the triangulation cannot change.
+  template <class Work>
+  std::invoke_result_t<Work> ask_complex(Work work) const {
+    Supervisor supervisor;
+    return supervisor.run([&] {
+      return held_->with_engine([&](const Triangulation&) {
+        if (held_->version() != version_) throw has_changed();
+        return work();
+      });
+    });
   }
   std::size_t corners() const { return static_cast<std::size_t>(complex_->affine_dimension() + 1); }
   py::array list(std::span<const SignedIndex> items) const {
@@ -210,6 +238,8 @@ void bind_faces(py::module_& module) {
           "singular_facets", &HeldAlpha::singular,
           "The singular facets, (s, k) input rows: none of the cells that contain them is in the complex.")
       .def("faces", &HeldAlpha::faces, "dimension"_a, text(docs::faces::alpha_faces))
+      .def("polygons", &HeldAlpha::polygons, text(docs::faces::polygons))
+      .def("boundary_components", &HeldAlpha::boundary_components, text(docs::faces::boundary_components))
       .def("__len__", &HeldAlpha::size)
       .def("__repr__", &HeldAlpha::repr);
   define_to_html(alpha, [](const HeldAlpha& held, const HtmlOptions& options) { return held.html(options); });
@@ -270,6 +300,15 @@ void bind_faces(py::module_& module) {
         }));
       },
       "dimension"_a);
+  method(
+      "optimal_alpha_value", text(docs::faces::optimal_alpha_value),
+      [](const Held& held, std::optional<py::ssize_t> components) {
+        if (components && *components < 1) throw py::value_error("num_components: at least 1, or None");
+        std::optional<std::size_t> most;
+        if (components) most = static_cast<std::size_t>(*components);
+        return ask(held, [&](const Triangulation& t) { return optimal_alpha_value(t, most, how_of(held)); });
+      },
+      "num_components"_a = 1);
   method("alpha_filtration", text(docs::faces::alpha_filtration), [](const Held& held) {
     std::vector<FaceValues> levels =
         ask(held, [&](const Triangulation& t) { return alpha_filtration(t, how_of(held)); });

@@ -139,6 +139,103 @@ Raises
 Error
     If the triangulation is a `FurthestSite`.)";
 
+inline constexpr const char* optimal_alpha_value = R"(
+Compute the least squared radius whose alpha complex covers all points in few pieces.
+
+Parameters
+----------
+num_components : int or None, default 1
+    The most pieces, >= 1: sets of cells that common facets connect, so cells that only touch count as apart. None: any number.
+
+Returns
+-------
+float
+    The least double s for which ``alpha_complex(squared_radius=s)`` has each vertex in a cell, and at most so many pieces. -inf without
+    points.
+
+Raises
+------
+ValueError
+    If `num_components` is less than 1.
+Error
+    If the triangulation is a `FurthestSite`.
+
+Notes
+-----
+This is the optimal alpha of CGAL. A larger radius may give more pieces again, as a cell may come before its neighbors. One point far from
+all others makes it large. Exact, as `alpha_values` are. Cost: that of ``alpha_values(k)``, and O(m log m).
+
+Examples
+--------
+>>> import delone
+>>> t = delone.Delaunay([[0, 0], [1, 0], [0, 1], [1, 1], [4, 0], [5, 0], [4, 1]])
+>>> t.optimal_alpha_value(None)
+0.5
+>>> len(t.alpha_complex(squared_radius=t.optimal_alpha_value(num_components=2)))
+3)";
+
+inline constexpr const char* polygons = R"(
+Find the outline of the complex in the plane, as polygons.
+
+Returns
+-------
+list of list of ndarray
+    The rings of each polygon, as arrays of input rows in order, whose first one is not repeated: first the outer ring, counterclockwise,
+    then one around each hole, clockwise.
+
+Raises
+------
+Error
+    If the points are not in the plane, d = 2.
+RuntimeError
+    If points have been added to the triangulation since.
+
+Notes
+-----
+The polygons are the union of the cells; singular edges do not belong to it. Each polygon is the union of the triangles that common edges
+connect. No ring visits a point twice: a polygon that touches itself has a hole there, and polygons that touch each other are apart. So
+they are valid in the sense of Simple Features, as shapely and GeoJSON want them. Each ring begins with its least row, and these rows
+order polygons and holes. Exact.
+
+Examples
+--------
+>>> import delone
+>>> points = [[0, 0], [1, 0], [2, 0], [0, 1], [2, 1], [0, 2], [1, 2], [2, 2]]
+>>> [[outer.tolist(), [hole.tolist() for hole in holes]]
+...  for outer, *holes in delone.Delaunay(points).alpha_complex(0.75).polygons()]
+[[[0, 1, 3], []], [[1, 2, 4], []], [[3, 6, 5], []], [[4, 7, 6], []]])";
+
+inline constexpr const char* boundary_components = R"(
+Separate the boundary into closed surfaces.
+
+Returns
+-------
+components : (b,) ndarray of int
+    The surface that each facet of `boundary` belongs to.
+bodies : (c,) ndarray of int
+    The body that each of the c surfaces encloses, or is a cavity of: the cells that common facets connect.
+neighbors : (b, k) ndarray of int
+    The facet across the face opposite vertex i of each facet.
+
+Raises
+------
+RuntimeError
+    If points have been added to the triangulation since.
+
+Notes
+-----
+Each component is closed: neighbors are mutual, so in space two triangles meet at each edge. Around an edge that has more triangles those
+that enclose the same cells are neighbors, and bodies that only touch are not joined. The boundary of a cavity is a component of its own
+unless the cavity touches the outside in an edge. Exact.
+
+Examples
+--------
+>>> import delone
+>>> points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [9, 9, 9], [9, 8, 9], [8, 9, 9], [9, 9, 8]]
+>>> components, bodies, neighbors = delone.Delaunay(points).alpha_complex(1).boundary_components()
+>>> components.tolist(), bodies.tolist()
+([0, 0, 0, 0, 1, 1, 1, 1], [0, 1]))";
+
 inline constexpr const char* result = R"(
 Faces of one dimension of a triangulation, read-only.
 

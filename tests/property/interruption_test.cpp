@@ -2,6 +2,7 @@
 // Calls that are stopped in the middle of exact arithmetic, by a ProgressScope or by their own function: what
 // they were called on is as before, and goes on.
 #include <delone/alpha.hpp>
+#include <delone/alpha_shape.hpp>
 #include <delone/check.hpp>
 #include <delone/convex_hull.hpp>
 #include <delone/delaunay.hpp>
@@ -184,6 +185,7 @@ TEST(Interruption, EveryCallWithAnExecutionAsksItsFunction) {
   const ConvexHull<> hull(few, 5);
   const HullData of_hull = hull.to_data();
   const Voronoi<> diagram(triangulation);
+  const AlphaComplex alpha(triangulation, 0.01);
   const Box box = diagram.bounding_box();
   const PointLocator locator(triangulation);
   const LinearInterpolator linear(triangulation, std::span(points).first(6000));
@@ -205,11 +207,15 @@ TEST(Interruption, EveryCallWithAnExecutionAsksItsFunction) {
       {"alpha_values", [&](const Execution& how) { alpha_values(triangulation, 1, how); }},
       {"alpha_filtration", [&](const Execution& how) { alpha_filtration(triangulation, how); }},
       {"AlphaComplex", [&](const Execution& how) { AlphaComplex(triangulation, 0.01, how); }},
+      {"boundary_components", [&](const Execution& how) { boundary_components(alpha, how); }},
+      {"polygons", [&](const Execution& how) { polygons(alpha, how); }},
+      {"optimal_alpha_value", [&](const Execution& how) { optimal_alpha_value(triangulation, 1, how); }},
       {"Voronoi", [&](const Execution& how) { Voronoi<> made(triangulation, {}, how); }},
       {"ridge_volumes", [&](const Execution& how) { diagram.ridge_volumes(how); }},
       {"region_volumes", [&](const Execution& how) { diagram.region_volumes(how); }},
       {"volumes in a box", [&](const Execution& how) { diagram.region_volumes(box, how); }},
       {"clipped regions", [&](const Execution& how) { diagram.for_each_clipped_region(box, ignore, how); }},
+      {"clipped_regions", [&](const Execution& how) { diagram.clipped_regions(box, {}, how); }},
       {"locate", [&](const Execution& how) { locator.locate(points, ignore, how); }},
       {"locate as arrays",
        [&](const Execution& how) { locator.locate(points, {}, CellNumbers(triangulation.complex()), how); }},

@@ -21,6 +21,7 @@ QUICK = {
     "delone.ComplexData": "__init__",
     "delone.ConvexHulls": "__getitem__ __init__ __iter__ __len__ __repr__",
     "delone.Changes": "__init__ __repr__",
+    "delone.ClippedRegions": "__getitem__ __init__ __iter__ __len__ __repr__",
     "delone.Delaunay": "__getstate__",
     "delone.FurthestSite": "__copy__ __getstate__ clone hidden num_hidden",
     "delone.Regular": "__copy__ __getstate__ clone hidden num_hidden weights",
@@ -103,6 +104,7 @@ LONG = {
     "delone._core.Triangulation.nearest, millions": ("t = delone.Delaunay(random.random((300_000, 3)))", "t.nearest(random.random((3_000_000, 3)))"),
     "delone._core.Triangulation.faces": ("t = delone.Delaunay(random.random((20_000, 5)))", "t.faces(1)"),
     "delone._core.Triangulation.alpha_values": ("t = delone.Delaunay(random.random((20_000, 5)))", "t.alpha_values(0)", "alpha_filtration"),
+    "delone._core.Triangulation.optimal_alpha_value": ("t = delone.Delaunay(random.random((30_000, 5)))", "t.optimal_alpha_value()"),
     "delone._core.Triangulation.alpha_complex": ("t = delone.Delaunay(random.random((20_000, 5)))", "t.alpha_complex(0.3)"),
     "delone._core.Triangulation.circumradii": ("t = delone.Delaunay(random.random((10_000, 6)))", "t.circumradii", "circumcenters"),
     "delone._core.Triangulation.qualities": ("t = delone.Delaunay(random.random((10_000, 6)))", "t.qualities()"),
@@ -111,6 +113,8 @@ LONG = {
     "delone._core.Triangulation.to_html": ("t = delone.Delaunay(random.random((300_000, 3)))", "t.to_html()"),
     "delone.AlphaComplex.to_html": ("complex = delone.Delaunay(random.random((300_000, 3))).alpha_complex(0.1)", "complex.to_html()"),
     "delone.AlphaComplex.faces": ("complex = delone.Delaunay(random.random((20_000, 5))).alpha_complex(0.3)", "complex.faces(1)", "save"),
+    "delone.AlphaComplex.boundary_components": ("complex = delone.Delaunay(random.random((30_000, 5))).alpha_complex(0.3)", "complex.boundary_components()"),
+    "delone.AlphaComplex.polygons": ("complex = delone.Delaunay(random.random((3_000_000, 2))).alpha_complex(0.0004)", "complex.polygons()"),
     "delone._core.Triangulation.trim": ("t = delone.Delaunay(random.random((20_000, 4)))", "t.trim(0.5)"),
     "delone._core.Triangulation.transform": ("t = delone.Delaunay(random.random((100_000, 4)))", "t.transform"),
     "delone._core.Triangulation.vertex_neighbors": ("t = delone.Delaunay(random.random((20_000, 5)))", "t.vertex_neighbors"),
@@ -158,6 +162,7 @@ LONG = {
     "delone._core.Diagram.region_volumes": (DIAGRAM, "diagram.region_volumes()"),
     "delone._core.Diagram.region_volumes, box": ("diagram = delone.Voronoi(random.random((150, 6)))",
                                                  "diagram.region_volumes((np.zeros(6), np.ones(6)))"),
+    "delone._core.Diagram.clipped_regions": ("diagram = delone.Voronoi(random.random((30_000, 3)))", "diagram.clipped_regions()"),
     "delone._core.Diagram.ridge_volumes": (DIAGRAM, "diagram.ridge_volumes()"),
     "delone.LinearInterpolator.__init__": ("", "delone.LinearInterpolator(random.random((300_000, 6)), np.zeros(300_000))"),
     "delone.LinearInterpolator.__call__": ("f = delone.LinearInterpolator(random.random((500, 5)), np.zeros(500))", "f(random.random((6_000_000, 5)))"),
@@ -192,6 +197,8 @@ LONG = {
                                                           "f(random.random((6_000_000, 5)))"),
     "delone.interpolate._clough_tocher.CloughTocher2DInterpolator.__init__": (
         "points = random.random((200_000, 2))", "interpolate.CloughTocher2DInterpolator(points, random.random(200_000), tol=0, maxiter=10_000)"),
+    "delone.interpolate._clough_tocher.CloughTocher2DInterpolator.gradient": (
+        "points = random.random((1000, 2)); f = interpolate.CloughTocher2DInterpolator(points, random.random(1000))", "f.gradient(random.random((10_000_000, 2)))"),
     "delone.interpolate._natural_neighbors.NaturalNeighborInterpolator.__init__": (
         "points = random.random((3000, 4))", "interpolate.NaturalNeighborInterpolator(points, np.zeros(3000), smooth=True)"),
     "delone.interpolate._natural_neighbors.NaturalNeighborInterpolator.gradient": (
