@@ -37,7 +37,10 @@ class JsonMembers {
   }
   std::int64_t number(const char* member, std::int64_t least, std::int64_t largest) const {
     const nlohmann::json& value = find(member);
-    if (!value.is_number_integer() || value > largest || value < least)
+    // Compared with signed numbers, those of 2^63 and more would be negative.
+    constexpr auto most = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+    const bool is_beyond = value.is_number_unsigned() && value.get<std::uint64_t>() > most;
+    if (!value.is_number_integer() || is_beyond || value > largest || value < least)
       io::fail(Errc::bad_format, "{}: {}: expected a number from {} to {}, found {}", name_, member, least,
                largest, printable(value.dump()));
     return value.get<std::int64_t>();
