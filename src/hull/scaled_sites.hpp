@@ -3,11 +3,13 @@
 #pragma once
 
 #include "base/axis_scale.hpp"
-#include "compiled/simplicial_hull.hpp"
+#include "sites/boundary_sites.hpp"
 
 #include <optional>
 
 namespace delone::hull {
+
+using sites::BoundarySites;
 
 /// Sites, or a copy of them with scaled coordinates. Both must outlive this object.
 class ScaledSites {
