@@ -4,6 +4,7 @@
 #pragma once
 
 #include <delone/delone.h>
+#include <delone/arithmetic.hpp>
 #include <delone/error.hpp>
 #include <delone/progress.hpp>
 #include <delone/types.hpp>
@@ -23,9 +24,10 @@ int remember_exception() noexcept;
 /// The progress function of this thread; empty if there is none.
 std::function<bool(double)> progress_of_thread();
 
-/// Does the work of a C function.
+/// Does the work of a C function, in the floating-point state of the library.
 template <class Work>
 int run(Work work) noexcept {
+  const ArithmeticScope arithmetic;
   try {
     const ProgressScope scope(progress_of_thread());
     work();

@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <delone/arithmetic.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -284,5 +285,6 @@ int run_and_report(int argc, char** argv) {
 int main(int argc, char** argv) {
   delone::cli::system::prepare_process();
   delone::cli::install_interrupt_handlers();
+  const delone::ArithmeticScope arithmetic;  // for the numbers of the command line, too
   return delone::cli::run_and_report(argc, argv);
 }

@@ -198,6 +198,7 @@ int run_and_report(int argc, char** argv) {
 int main(int argc, char** argv) {
   int threads = 0;
   MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &threads);
+  const delone::ArithmeticScope arithmetic;
   const int status = delone::mpi::run_and_report(argc, argv);
   MPI_Finalize();
   return status;

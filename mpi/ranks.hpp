@@ -3,6 +3,8 @@
 // ranks throw together. Arrays are sent as bytes: all processes run on machines of one kind.
 #pragma once
 
+#include <delone/arithmetic.hpp>
+
 #include <mpi.h>
 
 #include <algorithm>
@@ -102,10 +104,11 @@ class Ranks {
   }
   /// All ranks throw if any has a failure: that of the lowest such rank.
   void raise(const std::exception_ptr& failure) const;
-  /// Runs collective work. Ends all processes, after a message, if it throws anything on this rank that the
-  /// others do not know of: they would wait for this one for ever.
+  /// Runs collective work in the floating-point state of the library. Ends all processes, after a message, if
+  /// it throws anything on this rank that the others do not know of: they would wait for this one for ever.
   template <class Work>
   auto guarded(const Work& work) const {
+    const ArithmeticScope arithmetic;
     try {
       return work();
     } catch (const std::exception& error) {

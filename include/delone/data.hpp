@@ -9,6 +9,7 @@
 #include <delone/export.hpp>
 #include <delone/types.hpp>
 
+#include <bit>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -52,8 +53,10 @@ namespace detail {
 inline bool is_removed(std::size_t row, std::span<const SignedIndex> vertices, std::span<const double> points,
                        int dimension) {
   if (vertices.size() <= row || vertices[row] >= 0 || points.empty()) return false;
-  const double first = points[row * static_cast<std::size_t>(dimension)];
-  return first != first;
+  // On bits, as code compiled with -ffast-math takes no number for NaN.
+  const auto first = std::bit_cast<std::uint64_t>(points[row * static_cast<std::size_t>(dimension)]);
+  constexpr std::uint64_t without_sign = 0x7fffffffffffffff, infinity = 0x7ff0000000000000;
+  return (first & without_sign) > infinity;
 }
 
 }  // namespace detail

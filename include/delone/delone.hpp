@@ -4,6 +4,7 @@
 
 #include <delone/alpha.hpp>
 #include <delone/alpha_shape.hpp>
+#include <delone/arithmetic.hpp>
 #include <delone/cell_numbers.hpp>
 #include <delone/check.hpp>
 #include <delone/complex.hpp>

@@ -5,8 +5,10 @@
 #include <delone/types.hpp>
 
 #include <array>
+#include <bit>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <ranges>
 #include <tuple>
 #include <type_traits>
@@ -110,6 +112,19 @@ constexpr bool is_point() {
            (!HasTraits<P> && CoordinateRange<P> && std::is_copy_constructible_v<P>);
 }
 
+/// The number as it is, subnormal or not: a conversion in code compiled with -ffast-math may make 0 of it.
+inline double as_double(double x) { return x; }
+inline double as_double(float x) {
+  const auto bits = std::bit_cast<std::uint32_t>(x);
+  if ((bits & 0x7f800000) != 0) return static_cast<double>(x);
+  const double size = static_cast<double>(bits & 0x007fffff) * 0x1p-149;  // normal, or 0
+  return bits >> 31 != 0 ? -size : size;
+}
+template <std::integral T>
+double as_double(T x) {
+  return static_cast<double>(x);
+}
+
 /// Calls visit(coordinate) for each coordinate of a point in order.
 template <class P, class Visit>
 void for_each_coordinate(P&& point, Visit visit) {
@@ -120,7 +135,7 @@ void for_each_coordinate(P&& point, Visit visit) {
     const auto* const first = reinterpret_cast<const double*>(&point);
     for (std::size_t i = 0; i < sizeof(Type) / sizeof(double); ++i) visit(first[i]);
   } else {
-    for (const auto coordinate : point) visit(static_cast<double>(coordinate));
+    for (const auto coordinate : point) visit(as_double(coordinate));
   }
 }
 

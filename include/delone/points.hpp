@@ -63,7 +63,7 @@ class AnyPoint {
   requires(D != dynamic && sizeof...(C) == D &&
            ((detail::Coordinate<C> || (std::integral<C> && sizeof(C) <= 4)) && ...))
       AnyPoint(C... coordinates)
-      : copy_{static_cast<double>(coordinates)...}, coordinates_(copy_) {}
+      : copy_{detail::as_double(coordinates)...}, coordinates_(copy_) {}
   AnyPoint(std::initializer_list<double> coordinates) requires(D == dynamic)
       : copy_(coordinates), coordinates_(copy_) {}
   AnyPoint(const AnyPoint&) = delete;  // it may refer to itself

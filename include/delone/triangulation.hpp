@@ -96,7 +96,7 @@ class DELONE_EXPORT Triangulation {
   /// order of cells, and of the vertices in each, is then the same for every number of threads, until the
   /// next insertion. Has no effect if a single thread built the triangulation, whatever Options::threads was.
   /// Uses up to Options::threads threads. Cost O(cells·k²), and for a moment 16 bytes per cell. Nothing can
-  /// be undone afterwards. Throws Errc::out_of_memory, and then changes nothing.
+  /// be undone afterwards. Throws Errc::out_of_memory, cancelled, and then leaves the cells as they are.
   void sort_cells();
 
   int dimension() const;           ///< d

@@ -4,6 +4,7 @@
 
 #include "messages.hpp"
 
+#include <delone/arithmetic.hpp>
 #include <delone/error.hpp>
 
 #include <algorithm>
@@ -207,6 +208,7 @@ void require_index(const py::object& object, const py::object& index, const std:
 }
 
 py::array as_numbers(const py::object& object, const std::string& name) {
+  const ArithmeticScope arithmetic;
   const py::module_ numpy = py::module_::import("numpy");
   refuse_masked(object, name);
   if (is_frame(object)) return as_doubles(object, name);
@@ -220,6 +222,7 @@ py::array as_numbers(const py::object& object, const std::string& name) {
 }
 
 py::array_t<double> as_doubles(const py::object& object, const std::string& name) {
+  const ArithmeticScope arithmetic;
   if (is_plain(object)) return py::reinterpret_borrow<py::array_t<double>>(object);
   if (is_frame(object)) return frame_as_doubles(object, name, false);
   const py::module_ numpy = py::module_::import("numpy");
@@ -243,6 +246,7 @@ py::array_t<double> as_doubles(const py::object& object, const std::string& name
 }
 
 py::array_t<double> as_points(const py::object& object, const std::string& name) {
+  const ArithmeticScope arithmetic;
   auto points = is_frame(object) ? frame_as_doubles(object, name, true) : as_doubles(object, name);
   if (points.ndim() != 2 || points.shape(1) < 1)
     throw py::value_error(name + ": an array of shape (n, d), d at least 1, not " +

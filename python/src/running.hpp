@@ -8,6 +8,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <delone/arithmetic.hpp>
 #include <delone/delaunay.hpp>
 #include <delone/error.hpp>
 #include <delone/progress.hpp>
@@ -27,9 +28,9 @@ namespace delone::python {
 
 namespace py = pybind11;
 
-/// Runs work of the library. Ten times a second Python decides whether it goes on: signal handlers run (in
-/// the main thread), then the progress function. Both may raise. Their exception is kept and replaces that of
-/// the library.
+/// Runs work of the library, in its floating-point state. Ten times a second Python decides whether it goes
+/// on: signal handlers run (in the main thread), then the progress function. Both may raise. Their exception
+/// is kept and replaces that of the library.
 class Supervisor {
  public:
   /// `progress`: None or False; True, for a bar (delone._progress); or a function of the fraction done, which
@@ -70,6 +71,7 @@ class Supervisor {
   auto run(Work work) {
     try {
       const py::gil_scoped_release no_gil;
+      const ArithmeticScope arithmetic;
       const ProgressScope scope([this](double fraction) { return go_on(fraction); });
       if constexpr (std::is_void_v<decltype(work())>) {
         work();

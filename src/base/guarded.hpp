@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The library throws delone::Error and nothing else: here exhausted memory becomes one.
+// The library throws delone::Error and nothing else: here exhausted memory becomes one. Most of what is
+// public does its work in here, so this also sees to the floating-point state.
 #pragma once
 
+#include <delone/arithmetic.hpp>
 #include <delone/error.hpp>
 
 #include <new>
@@ -14,6 +16,7 @@ namespace delone::internal {
 /// for " and `what`.
 template <class Work>
 decltype(auto) guarded(const char* what, Work&& work) {
+  const ArithmeticScope arithmetic;
   try {
     return std::forward<Work>(work)();
   } catch (const std::bad_alloc&) {

@@ -4,6 +4,8 @@
 #include "base/platform.hpp"
 #include "base/progress_meter.hpp"
 
+#include <delone/arithmetic.hpp>
+
 #include <charconv>
 #include <exception>
 #include <fstream>
@@ -146,6 +148,7 @@ void run_workers(unsigned n, void (*work)(void* context, unsigned worker), void*
     if (has_begun[worker].exchange(true)) return;
     // A thread that helps while it waits has a progress function of its own call, which is not for this work.
     ProgressMeter* const meter = std::exchange(current_meter, worker == 0 ? current_meter : nullptr);
+    const ArithmeticScope arithmetic;
     try {
       work(context, worker);
     } catch (...) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/progress_meter.hpp"
 
+#include "base/arithmetic.hpp"
 #include "base/coarse_clock.hpp"
 
 #include <delone/progress.hpp>
@@ -48,6 +49,7 @@ void ProgressMeter::look() {
   ProgressMeter* const meter = std::exchange(current_meter, nullptr);
   bool goes_on = false;
   try {
+    const CallersArithmetic arithmetic;
     goes_on = callback_(fraction_);
   } catch (...) {
     current_meter = meter;

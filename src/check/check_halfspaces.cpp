@@ -12,6 +12,7 @@
 #include "halfspaces/halfspace_dual.hpp"
 #include "halfspaces/halfspace_vertex.hpp"
 
+#include <delone/arithmetic.hpp>
 #include <delone/check.hpp>
 
 #include <algorithm>
@@ -406,6 +407,7 @@ class IntersectionChecker {
 }  // namespace
 
 CheckReport check(const IntersectionData& data, const CheckOptions& options, const Execution& how) {
+  const ArithmeticScope arithmetic;
   const internal::ProgressMeter meter(how.progress);
   return IntersectionChecker(data).check(options);
 }

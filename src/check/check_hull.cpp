@@ -10,6 +10,7 @@
 #include "check/check_hull.hpp"
 #include "base/progress_meter.hpp"
 
+#include <delone/arithmetic.hpp>
 #include <delone/check.hpp>
 
 #include <fmt/format.h>
@@ -185,6 +186,7 @@ void check_support(ExaminedHull& examined) {
 }  // namespace internal
 
 CheckReport check(const HullData& data, const CheckOptions& options, const Execution& how) {
+  const ArithmeticScope arithmetic;
   using namespace internal;
   const ProgressMeter meter(how.progress);
   ComplexData boundary;  // cells of k vertices: a complex of dimension k−1

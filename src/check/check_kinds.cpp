@@ -13,6 +13,8 @@
 #include "check/check_stages.hpp"
 #include "check/remade.hpp"
 
+#include <delone/arithmetic.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -309,6 +311,7 @@ void require_options(const ComplexData& data, const CheckOptions& options) {
 }  // namespace internal
 
 CheckReport check(const ComplexData& data, const CheckOptions& options, const Execution& how) {
+  const ArithmeticScope arithmetic;
   using namespace internal;
   const ProgressMeter meter(how.progress);
   require_options(data, options);

@@ -10,6 +10,7 @@
 #include "check/levels.hpp"
 #include "check/remade.hpp"
 
+#include <delone/arithmetic.hpp>
 #include <delone/check.hpp>
 #include <delone/predicates.hpp>
 #include <delone/voronoi.hpp>
@@ -388,6 +389,7 @@ void DiagramChecker::check_rays() const {
 }  // namespace
 
 CheckReport check(const VoronoiData& data, const CheckOptions& options, const Execution& how) {
+  const ArithmeticScope arithmetic;
   const internal::ProgressMeter meter(how.progress);
   return DiagramChecker(data).check(options, how.threads);
 }

@@ -2,6 +2,7 @@
 // A face is in the complex if a face of one dimension more that contains it is, or if it is in conflict with
 // no vertex and its smallest orthosphere is small enough; why that is enough: alpha_values.cpp.
 #include <delone/alpha.hpp>
+#include <delone/arithmetic.hpp>
 #include <delone/error.hpp>
 
 #include "base/guarded.hpp"
@@ -275,6 +276,7 @@ AlphaComplex::AlphaComplex(const Triangulation& triangulation, double radius, co
 
 AlphaComplex AlphaComplex::of_squared_radius(const Triangulation& triangulation, double square,
                                              const Execution& how) {
+  const ArithmeticScope arithmetic;
   if (std::isnan(square)) throw Error(Errc::invalid_argument, "the squared radius is NaN");
   return AlphaComplex(internal::guarded("the alpha complex", [&] {
     return std::make_unique<Impl>(triangulation, internal::SquareBound::of_square(square), how);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The forecast for given points, from samples of them.
+#include <delone/arithmetic.hpp>
 #include <delone/forecast.hpp>
 
 #include "base/guarded.hpp"
@@ -50,6 +51,7 @@ Forecast estimate_rows(std::span<const double> coordinates, int dimension, const
 }  // namespace
 
 Forecast estimate(const AnyPoints<>& points, int dimension, const ForecastOptions& options) {
+  const ArithmeticScope arithmetic;
   internal::require_dimension(dimension);
   points.require_dimension(dimension);
   cost_model::require_options(options);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The forecast for a kind of points: a closed form, or samples that are generated.
+#include <delone/arithmetic.hpp>
 #include <delone/forecast.hpp>
 
 #include "base/guarded.hpp"
@@ -65,6 +66,7 @@ Forecast spread_evenly(int dimension, std::size_t num_points, std::string_view k
 
 Forecast forecast(int dimension, std::size_t num_points, std::string_view kind,
                   const ForecastOptions& options) {
+  const ArithmeticScope arithmetic;
   internal::require_dimension(dimension);
   require_kind(kind);
   cost_model::require_options(options);

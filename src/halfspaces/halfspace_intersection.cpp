@@ -14,6 +14,7 @@
 #include "halfspaces/sites_to_insert.hpp"
 #include "kernel/predicates.hpp"
 
+#include <delone/arithmetic.hpp>
 #include <delone/convex_hull.hpp>
 
 #include <algorithm>
@@ -250,6 +251,7 @@ struct HalfspaceIntersectionBase::Impl {
 
 HalfspaceIntersectionBase::HalfspaceIntersectionBase(const AnyPoints<>& halfspaces, int dimension,
                                                      const Options& options) {
+  const ArithmeticScope arithmetic;
   internal::require_dimension(dimension);
   internal::refuse_tolerance(options.tolerance, options.axis_tolerances, "intersections of halfspaces");
   halfspaces.require_dimension(dimension + 1);
@@ -262,6 +264,7 @@ HalfspaceIntersectionBase::HalfspaceIntersectionBase(const AnyPoints<>& halfspac
 HalfspaceIntersectionBase::HalfspaceIntersectionBase(const AnyPoints<>& halfspaces, int dimension,
                                                      std::span<const double> interior_point,
                                                      const Options& options) {
+  const ArithmeticScope arithmetic;
   internal::require_dimension(dimension);
   internal::refuse_tolerance(options.tolerance, options.axis_tolerances, "intersections of halfspaces");
   halfspaces.require_dimension(dimension + 1);
@@ -305,6 +308,7 @@ IntersectionData HalfspaceIntersectionBase::to_data() const {
 }
 
 Measure HalfspaceIntersectionBase::volume() const {
+  const ArithmeticScope arithmetic;
   const IntersectionData& found = data();
   if (found.state != IntersectionState::full) return {};
   if (!found.bounded) return {.value = std::numeric_limits<double>::infinity()};
@@ -314,13 +318,16 @@ Measure HalfspaceIntersectionBase::volume() const {
   return ConvexHull<>(found.vertices, dimension(), options).volume();
 }
 Measure HalfspaceIntersectionBase::dual_volume() const {
+  const ArithmeticScope arithmetic;
   return halfspaces::dual_measure(*impl_->current, true);
 }
 Measure HalfspaceIntersectionBase::dual_area() const {
+  const ArithmeticScope arithmetic;
   return halfspaces::dual_measure(*impl_->current, false);
 }
 
 std::size_t HalfspaceIntersectionBase::num_cells() const {
+  const ArithmeticScope arithmetic;
   return impl_->current->cone ? impl_->current->cone->make_hull().num_cells() : 0;
 }
 

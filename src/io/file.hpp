@@ -5,6 +5,7 @@
 #include "base/growable_array.hpp"
 
 #include <fmt/format.h>
+#include <delone/arithmetic.hpp>
 #include <delone/error.hpp>
 #include <delone/printable.hpp>
 
@@ -89,9 +90,11 @@ inline constexpr std::string_view laz_advice =
     "laspy.read(\"IN.laz\").xyz "
     "in Python";
 
-/// Runs a reader or writer, and turns exhausted memory into Error{out_of_memory}.
+/// Runs a reader or writer in the floating-point state of the library, and turns exhausted memory into
+/// Error{out_of_memory}.
 template <class Work>
 auto guarded(const std::string& name, Work&& work) {
+  const ArithmeticScope arithmetic;
   try {
     return std::forward<Work>(work)();
   } catch (const std::bad_alloc&) {

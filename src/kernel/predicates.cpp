@@ -4,6 +4,7 @@
 #include "base/require_finite.hpp"
 #include "kernel/hull_stages.hpp"
 
+#include <delone/arithmetic.hpp>
 #include <delone/error.hpp>
 #include <delone/predicates.hpp>
 
@@ -196,30 +197,36 @@ constexpr auto perturbed = [](const auto&... arguments) { return kernel::in_sphe
 }  // namespace
 
 Sign orientation(std::span<const double> points, int dimension) {
+  const ArithmeticScope arithmetic;
   const auto simplex = rows_of(points, dimension, static_cast<std::size_t>(std::max(dimension, 0)) + 1);
   const std::vector<int> axes = all_axes(dimension);
   return kernel::orientation(kernel::Flat{dimension, axes}, simplex);
 }
 
 Side in_sphere(std::span<const double> points, std::span<const double> q, int dimension) {
+  const ArithmeticScope arithmetic;
   return side_of_sphere(points, q, dimension, unperturbed);
 }
 
 Side in_sphere_perturbed(std::span<const double> points, std::span<const double> q, int dimension) {
+  const ArithmeticScope arithmetic;
   return side_of_sphere(points, q, dimension, perturbed);
 }
 
 Side in_power_sphere(std::span<const double> points, std::span<const double> weights,
                      std::span<const double> q, double weight_of_q, int dimension) {
+  const ArithmeticScope arithmetic;
   return side_of_power_sphere(points, weights, q, weight_of_q, dimension, unperturbed);
 }
 
 Side in_power_sphere_perturbed(std::span<const double> points, std::span<const double> weights,
                                std::span<const double> q, double weight_of_q, int dimension) {
+  const ArithmeticScope arithmetic;
   return side_of_power_sphere(points, weights, q, weight_of_q, dimension, perturbed);
 }
 
 Sign homogeneous_orientation(std::span<const double> rows, int dimension) {
+  const ArithmeticScope arithmetic;
   if (dimension < 1) throw Error(Errc::bad_dimension, "the dimension must be at least 1");
   const auto pointers = rows_of(rows, dimension + 1, static_cast<std::size_t>(dimension) + 1);
   const std::vector<int> axes = all_axes(dimension + 1);
@@ -228,6 +235,7 @@ Sign homogeneous_orientation(std::span<const double> rows, int dimension) {
 }
 
 Side side_of_hyperplane(std::span<const double> hyperplane, std::span<const double> p, int dimension) {
+  const ArithmeticScope arithmetic;
   const auto point = rows_of(p, dimension, 1);
   const auto row = rows_of(hyperplane, dimension + 1, 1);
   internal::StageCounts counts;
@@ -235,6 +243,7 @@ Side side_of_hyperplane(std::span<const double> hyperplane, std::span<const doub
 }
 
 int affine_dimension(std::span<const double> points, int dimension) {
+  const ArithmeticScope arithmetic;
   const std::vector<const double*> rows = rows_of(points, dimension, 0);
   if (rows.empty()) return -1;
   kernel::AffineHull hull(dimension);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The table of named point sets.
+#include <delone/arithmetic.hpp>
 #include <delone/error.hpp>
 #include <delone/point_sets.hpp>
 
@@ -59,6 +60,7 @@ const std::vector<PointSetKind>& point_set_kinds() {
 }
 
 std::vector<double> make_point_set(std::string_view kind, int dimension, std::size_t n, std::uint64_t seed) {
+  const ArithmeticScope arithmetic;
   if (dimension < 1)
     throw Error(Errc::invalid_argument, "the dimension must be at least 1, not " + std::to_string(dimension));
   const auto d = static_cast<std::size_t>(dimension);

@@ -4,6 +4,8 @@
 #include "kernel/grid.hpp"
 #include "polyhedra/fraction.hpp"
 
+#include <delone/arithmetic.hpp>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -133,6 +135,7 @@ Row common_integers(std::span<const Rational> numbers) {
 }  // namespace polyhedra
 
 Rational::Rational(double number) {
+  const ArithmeticScope arithmetic;
   if (!std::isfinite(number)) throw Error(Errc::not_finite, "a number is not finite");
   constexpr double largest = 0x1p62;
   if (std::abs(number) < largest && number == std::trunc(number)) {
@@ -175,6 +178,7 @@ std::string Rational::to_string() const {
 }
 
 double Rational::to_double() const {
+  const ArithmeticScope arithmetic;
   const Fraction fraction = Fraction::of(*this);
   return kernel::nearest_double(fraction.numerator, fraction.denominator, 0);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // LinearInterpolator: values at the vertices, weighted sums over the vertices of the cell that contains a
 // query.
+#include <delone/arithmetic.hpp>
 #include <delone/interpolation.hpp>
 
 #include "queries/barycentric.hpp"
@@ -18,12 +19,14 @@ using queries::require_size;
 LinearInterpolator::LinearInterpolator(const Triangulation& triangulation, std::span<const double> values,
                                        std::size_t columns)
     : triangulation_(triangulation), locator_(triangulation), columns_(columns) {
+  const ArithmeticScope arithmetic;
   require_size(values.size(), triangulation.num_rows() * columns, "values");
   values_ = queries::by_vertex(triangulation, values, columns);
 }
 
 void LinearInterpolator::evaluate(std::span<const double> queries, std::span<double> result,
                                   const EvaluateOptions& options, const Execution& how) const {
+  const ArithmeticScope arithmetic;
   const auto d = static_cast<std::size_t>(triangulation_.dimension());
   require_size(result.size(), queries.size() / d * columns_, "the result");
   if (!options.fill.empty()) require_size(options.fill.size(), columns_, "the constants outside");
@@ -58,6 +61,7 @@ void LinearInterpolator::evaluate(std::span<const double> queries, std::span<dou
 
 void LinearInterpolator::gradients(std::span<const double> queries, std::span<double> result,
                                    const EvaluateOptions& options, const Execution& how) const {
+  const ArithmeticScope arithmetic;
   const auto d = static_cast<std::size_t>(triangulation_.dimension());
   const std::size_t width = columns_ * d;
   require_size(result.size(), queries.size() / d * width, "the result");

@@ -9,6 +9,7 @@
 //
 // Its gradient follows from those of the coordinates, ∇s_i = −r_i/s_i and the rules for sums, products and
 // quotients. All lengths are in units of the largest distance, rounded to a power of two.
+#include <delone/arithmetic.hpp>
 #include <delone/natural_neighbors.hpp>
 
 #include "base/length.hpp"
@@ -43,6 +44,7 @@ struct NaturalNeighborCoordinates::Impl {
 
 NaturalNeighborCoordinates::NaturalNeighborCoordinates(const Triangulation& triangulation,
                                                        const Execution& how) {
+  const ArithmeticScope arithmetic;
   const internal::ProgressMeter meter(how.progress);
   try {
     impl_ = std::make_unique<Impl>(triangulation);
@@ -161,6 +163,7 @@ void NaturalNeighborCoordinates::find_by_threads(std::span<const double> queries
                                                  const LocateOptions& options,
                                                  const std::function<Visit()>& make_visit,
                                                  bool with_gradients, unsigned threads) const {
+  const ArithmeticScope arithmetic;
   const NaturalCenters& centers = impl_->centers;
   const std::size_t d = centers.dimension();
   struct Searching {
@@ -326,6 +329,7 @@ NaturalNeighborInterpolator::NaturalNeighborInterpolator(const Triangulation& tr
                                                          bool smooth, std::span<const double> site_gradients,
                                                          const Execution& how)
     : triangulation_(triangulation), coordinates_(triangulation, how), columns_(columns), smooth_(smooth) {
+  const ArithmeticScope arithmetic;
   const auto d = static_cast<std::size_t>(triangulation.dimension());
   require_size(values.size(), triangulation.num_rows() * columns, "values");
   if (!site_gradients.empty())
@@ -348,6 +352,7 @@ NaturalNeighborInterpolator::NaturalNeighborInterpolator(const Triangulation& tr
 }
 
 void NaturalNeighborInterpolator::site_gradient(VertexId v, std::span<double> result) const {
+  const ArithmeticScope arithmetic;
   const std::size_t width = columns_ * static_cast<std::size_t>(triangulation_.dimension());
   require_size(result.size(), width, "the result");
   triangulation_.point(v);  // throws unless it is a finite vertex
@@ -359,6 +364,7 @@ void NaturalNeighborInterpolator::site_gradient(VertexId v, std::span<double> re
 
 void NaturalNeighborInterpolator::evaluate(std::span<const double> queries, std::span<double> result,
                                            const EvaluateOptions& options, const Execution& how) const {
+  const ArithmeticScope arithmetic;
   const auto d = static_cast<std::size_t>(triangulation_.dimension());
   require_size(result.size(), queries.size() / d * columns_, "the result");
   if (!options.fill.empty()) require_size(options.fill.size(), columns_, "the constants outside");
@@ -384,6 +390,7 @@ void NaturalNeighborInterpolator::evaluate(std::span<const double> queries, std:
 
 void NaturalNeighborInterpolator::gradients(std::span<const double> queries, std::span<double> result,
                                             const EvaluateOptions& options, const Execution& how) const {
+  const ArithmeticScope arithmetic;
   const auto d = static_cast<std::size_t>(triangulation_.dimension());
   const std::size_t width = columns_ * d;
   require_size(result.size(), queries.size() / d * width, "the result");

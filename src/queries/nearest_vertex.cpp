@@ -23,6 +23,8 @@
 #include "kernel/exact.hpp"
 #include "queries/point_locator_impl.hpp"
 
+#include <delone/arithmetic.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -193,6 +195,7 @@ class Nearest {
 
 Sign compare_distances(std::span<const double> q, std::span<const double> a, std::span<const double> b,
                        double weight_a, double weight_b) {
+  const ArithmeticScope arithmetic;
   if (a.size() != q.size() || b.size() != q.size())
     throw Error(Errc::bad_dimension, "points of different dimensions");
   const auto all_finite = [](std::span<const double> x) {
@@ -258,6 +261,7 @@ const PointLocator::Edges& PointLocator::edges() const {
 /// invalid_vertex).
 template <class Each>
 void PointLocator::each_nearest(std::span<const double> queries, const Execution& how, Each each) const {
+  const ArithmeticScope arithmetic;
   const internal::ProgressMeter meter(how.progress);
   if (impl_->points.form == kernel::RowForm::furthest_point)
     throw Error(Errc::unsupported,

@@ -9,6 +9,8 @@
 #include "queries/table_walk.hpp"
 #include "queries/tolerant_location.hpp"
 
+#include <delone/arithmetic.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -216,6 +218,7 @@ void dispatch(const PointLocator::Impl& where, const auto&... arguments) {
 
 void PointLocator::locate(std::span<const double> queries, const LocateOptions& options, const Visit& visit,
                           const Execution& how) const {
+  const ArithmeticScope arithmetic;
   const internal::ProgressMeter meter(how.progress);
   impl_->locate(queries, options, {.threads = how.threads}, {.shared = &visit});
 }
@@ -239,6 +242,7 @@ void PointLocator::Impl::locate(std::span<const double> queries, const LocateOpt
 void PointLocator::cells_within(std::span<const double> queries, double radius,
                                 const std::function<bool(std::size_t, CellId)>& visit,
                                 const Execution& how) const {
+  const ArithmeticScope arithmetic;
   internal::require_tolerance(radius, "radius");
   const internal::ProgressMeter meter(how.progress);
   const auto width = static_cast<std::size_t>(impl_->dimension);

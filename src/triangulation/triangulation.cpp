@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Triangulation: its members. Insertion is in triangulation_impl.cpp.
+#include <delone/arithmetic.hpp>
 #include <delone/triangulation.hpp>
 
 #include "base/guarded.hpp"
@@ -36,6 +37,7 @@ kernel::RowForm form_of(TriangulationKind kind) {
 }  // namespace
 
 Triangulation::Triangulation(TriangulationKind kind, int dimension, const Options& options) {
+  const ArithmeticScope arithmetic;
   internal::require_dimension(dimension);
   internal::refuse_tolerance(options.tolerance, options.axis_tolerances, "triangulations");
   internal::require_time_limit(options.time_limit);
@@ -141,6 +143,7 @@ std::size_t Triangulation::num_hidden() const { return impl_->num_hidden(); }
 std::vector<std::size_t> Triangulation::hidden_rows() const { return impl_->hidden_rows(); }
 
 Location Triangulation::locate(const AnyPoint<>& query, std::optional<CellId> hint) const {
+  const ArithmeticScope arithmetic;
   // The least weight leads a walk by values of functionals to the cell that contains the point.
   const double lightest = impl_->has_cells() && impl_->weighted()
                               ? impl_->visit([](const auto& cells) { return frame_of(cells).low().back(); })
@@ -170,10 +173,12 @@ Location Triangulation::locate(const AnyPoint<>& query, std::optional<CellId> hi
 
 std::vector<CellId> Triangulation::conflict_zone_of(std::span<const double> query, double weight,
                                                     std::optional<CellId> hint) const {
+  const ArithmeticScope arithmetic;
   return impl_->conflict_zone(query, weight, hint);
 }
 
 Side Triangulation::side_of_sphere(CellId cell, std::span<const double> query, double weight) const {
+  const ArithmeticScope arithmetic;
   const Sign of_distance = impl_->in_sphere(cell, query, weight);  // negative inside
   return static_cast<Side>(-static_cast<int>(of_distance));
 }
@@ -234,6 +239,7 @@ ComplexData Triangulation::to_data(bool with_points) const {
 }
 
 CanonicalHash Triangulation::hash(const Execution& how) const {
+  const ArithmeticScope arithmetic;
   const internal::ProgressMeter meter(how.progress);
   const std::vector<VertexId> vertices = complex().finite_vertices();
   const auto weight = [&](VertexId v) { return impl_->points().point(index(v))[impl_->ambient()]; };

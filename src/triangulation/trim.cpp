@@ -18,6 +18,7 @@
 // length is at most |w|/|E|. Either is at least min_E h_i/|E| with the heights h_i of the cell: in the first
 // case |∇s| ≤ Σ 1/h_i, in the second |w| ≥ 1/|∇λ_i| = h_i. So a cell that is wider than (k+1)·tolerance is
 // never removed.
+#include <delone/arithmetic.hpp>
 #include <delone/trim.hpp>
 
 #include "base/guarded.hpp"
@@ -279,6 +280,7 @@ class Trimming {
 }  // namespace
 
 TrimResult trim(const Triangulation& triangulation, double tolerance, const Execution& how) {
+  const ArithmeticScope arithmetic;
   const internal::ProgressMeter meter(how.progress);
   internal::require_tolerance(tolerance);
   return internal::guarded("the trimmed triangulation", [&] {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Diagram: built by VoronoiBuilder; volumes and clipping.
+#include <delone/arithmetic.hpp>
 #include <delone/voronoi.hpp>
 
 #include "base/compensated_sum.hpp"
@@ -114,6 +115,7 @@ Diagram::Diagram(const Triangulation& triangulation, const std::function<double(
     : dimension_(triangulation.dimension()),
       affine_dimension_(triangulation.affine_dimension()),
       kind_(kind_of_dual(triangulation.kind())) {
+  const ArithmeticScope arithmetic;
   const internal::AxisScale scale(options.tolerance, options.axis_tolerances, dimension_);
   tolerance_ = scale.tolerance();
   axis_tolerances_ = scale.tolerances();
@@ -351,6 +353,7 @@ bool Diagram::is_inside(std::size_t r, const Box& box) const {
 }
 
 std::vector<double> Diagram::region_volumes(const Box& box, const Execution& how) const {
+  const ArithmeticScope arithmetic;
   check_box(box);
   if (exact_ != nullptr) return exact_->region_volumes(box, how);
   return internal::guarded("the diagram", [&] {
@@ -377,6 +380,7 @@ std::vector<double> Diagram::region_volumes(const Box& box, const Execution& how
 void Diagram::for_each_clipped_region(const Box& box,
                                       const std::function<void(std::size_t, const ClippedRegion&)>& visit,
                                       const Execution& how) const {
+  const ArithmeticScope arithmetic;
   check_box(box);
   if (dimension_ > 3)
     throw Error(Errc::unsupported, "the geometry of clipped regions is available up to dimension 3");
@@ -392,6 +396,7 @@ void Diagram::for_each_clipped_region(const Box& box,
 
 ClippedRegions Diagram::clipped_regions(const Box& box, std::span<const double> halfspaces,
                                         const Execution& how) const {
+  const ArithmeticScope arithmetic;
   check_box(box);
   if (dimension_ != 2 && dimension_ != 3)
     throw Error(Errc::unsupported, "clipped regions as arrays are available in dimensions 2 and 3");
@@ -424,6 +429,7 @@ ClippedRegions Diagram::clipped_regions(const Box& box, std::span<const double> 
 }
 
 Box Diagram::bounding_box(double margin) const {
+  const ArithmeticScope arithmetic;
   if (!(margin >= 0) || !std::isfinite(margin))
     throw Error(Errc::invalid_argument, "the margin must be a number of at least 0");
   Box box{std::vector<double>(ambient(), 0.0), std::vector<double>(ambient(), 0.0)};

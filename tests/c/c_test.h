@@ -36,6 +36,7 @@ extern const double square[10];
 /* The halfspaces of the unit square, 2 <= x + y among them or not. */
 extern const double square_halfspaces[12];
 
+void arithmetic_test(void);
 void errors_test(void);
 void files_test(void);
 void hulls_test(void);

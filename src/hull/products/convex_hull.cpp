@@ -15,6 +15,7 @@
 #include "hull/tolerance/necessary_hull.hpp"
 #include "hull/tolerance/tolerant_hull.hpp"
 
+#include <delone/arithmetic.hpp>
 #include <delone/convex_hull.hpp>
 
 #include <algorithm>
@@ -234,6 +235,7 @@ struct ConvexHullBase::Impl {
 };
 
 ConvexHullBase::ConvexHullBase(int dimension, const Options& options) {
+  const ArithmeticScope arithmetic;
   internal::require_dimension(dimension);
   internal::require_time_limit(options.time_limit);
   impl_ = std::make_unique<Impl>(dimension, options);
@@ -313,6 +315,7 @@ std::vector<std::size_t> ConvexHullBase::f_vector(const Execution& how) const {
 }
 
 Containment ConvexHullBase::locate(const AnyPoint<>& query) const {
+  const ArithmeticScope arithmetic;
   const double* q = impl_->checked_query(query);
   Containment result;
   if (affine_dimension() < 0 || !impl_->in_flat(q)) return result;
@@ -339,6 +342,7 @@ Containment ConvexHullBase::locate(const AnyPoint<>& query) const {
   return result;
 }
 bool ConvexHullBase::contains(const AnyPoint<>& query) const {
+  const ArithmeticScope arithmetic;
   const double* q = impl_->checked_query(query);
   const int k = affine_dimension();
   if (k < 0 || !impl_->in_flat(q)) return false;
@@ -346,6 +350,7 @@ bool ConvexHullBase::contains(const AnyPoint<>& query) const {
 }
 
 std::vector<SignedIndex> ConvexHullBase::visible_cells(const AnyPoint<>& query) const {
+  const ArithmeticScope arithmetic;
   const double* q = impl_->checked_query(query);
   if (affine_dimension() < 1 || !impl_->in_flat(q)) return {};
   const HullAnalysis& analysis = impl_->analysis();
@@ -366,6 +371,7 @@ std::vector<SignedIndex> ConvexHullBase::visible_facets(const AnyPoint<>& query)
 }
 
 CanonicalHash ConvexHullBase::hash() const {
+  const ArithmeticScope arithmetic;
   const SimplicialHull& hull = impl_->hull();
   const sites::BoundarySites& sites = impl_->state->sites();
   const unsigned threads = impl_->options.threads;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <delone/arithmetic.hpp>
 #include <delone/convex_hulls.hpp>
 
 #include "base/build_limits.hpp"
@@ -78,6 +79,7 @@ void check(std::span<const double> coordinates, int dimension, std::span<const s
 
 ConvexHulls convex_hulls(const AnyPoints<>& points, int dimension, std::span<const std::size_t> offsets,
                          const Options& options) {
+  const ArithmeticScope arithmetic;
   // Sets so small are not worth an order.
   constexpr std::size_t small = 48;
   internal::require_dimension(dimension);

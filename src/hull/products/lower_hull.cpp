@@ -17,6 +17,7 @@
 #include "kernel/predicates.hpp"
 #include "kernel/stages.hpp"
 
+#include <delone/arithmetic.hpp>
 #include <delone/lower_hull.hpp>
 
 #include <algorithm>
@@ -243,6 +244,7 @@ struct LowerHullBase::Impl {
 
 LowerHullBase::LowerHullBase(const AnyPoints<>& points, int dimension, HullSide side,
                              const Options& options) {
+  const ArithmeticScope arithmetic;
   if (dimension < 2)
     throw Error(Errc::bad_dimension, "a lower hull needs a composition and a height: at least 2 coordinates");
   internal::require_dimension(dimension);
@@ -285,6 +287,7 @@ double LowerHullBase::max_distance() const { return impl_->max_distance; }
 std::vector<int> LowerHullBase::composition_axes() const { return impl_->compositions.axes(); }
 
 std::optional<std::size_t> LowerHullBase::find_cell(const AnyPoint<>& composition) const {
+  const ArithmeticScope arithmetic;
   if (composition.coordinates().size() != impl_->ambient() - 1)
     throw Error(Errc::bad_dimension, "the composition has not as many coordinates as those of the points");
   std::optional<std::size_t> result;
@@ -295,6 +298,7 @@ std::optional<std::size_t> LowerHullBase::find_cell(const AnyPoint<>& compositio
 }
 
 std::vector<double> LowerHullBase::heights(const AnyPoints<>& compositions) const {
+  const ArithmeticScope arithmetic;
   compositions.require_dimension(dimension() - 1);
   const Impl& hull = *impl_;
   const int width = static_cast<int>(hull.corners());
@@ -310,6 +314,7 @@ std::vector<double> LowerHullBase::heights(const AnyPoints<>& compositions) cons
 }
 
 std::vector<double> LowerHullBase::height_above(const AnyPoints<>& points, double tolerance) const {
+  const ArithmeticScope arithmetic;
   internal::require_tolerance(tolerance);
   points.require_dimension(dimension());
   std::vector<double> result;
