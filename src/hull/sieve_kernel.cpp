@@ -194,37 +194,42 @@ HWY_EXPORT(Extremes);
 HWY_EXPORT(Below);
 
 namespace {
-/// What one thread does at a time.
-constexpr std::size_t points_per_part = 16384;
+/// What one thread does at a time, some tens of milliseconds at most: it can be stopped before a part.
+std::size_t points_per_part(const LinearFunctions& functions) {
+  constexpr std::size_t most_points = 16384, most_work = std::size_t{1} << 27;
+  const std::size_t blocks =
+      most_work / sieve_block / std::max<std::size_t>(functions.size() * functions.origin.size(), 1);
+  return std::clamp(blocks * sieve_block, sieve_block, most_points);
+}
 }  // namespace
 
 void find_extremes(std::span<const double> points, const LinearFunctions& functions,
                    std::span<Extreme> extremes, unsigned threads) {
   const std::size_t d = functions.origin.size(), n = points.size() / std::max<std::size_t>(d, 1);
   if (n == 0) return;
-  std::vector<Extreme> found((n + points_per_part - 1) / points_per_part * extremes.size());
-  internal::for_parts(threads, n, points_per_part,
-                      [&](std::size_t first, std::size_t last, const internal::StopPoint& stop) {
-                        stop();
-                        const std::span<Extreme> of_part(
-                            found.data() + first / points_per_part * extremes.size(), extremes.size());
-                        std::copy(extremes.begin(), extremes.end(), of_part.begin());
-                        for (Extreme& extreme : of_part) extreme.at = Extreme::nowhere;
-                        HWY_DYNAMIC_DISPATCH(Extremes)
-                        ({points.subspan(first * d, (last - first) * d), functions, {}, of_part, {}});
-                      });
+  const std::size_t per_part = points_per_part(functions);
+  std::vector<Extreme> found((n + per_part - 1) / per_part * extremes.size());
+  internal::for_parts(
+      threads, n, per_part, [&](std::size_t first, std::size_t last, const internal::StopPoint& stop) {
+        stop();
+        const std::span<Extreme> of_part(found.data() + first / per_part * extremes.size(), extremes.size());
+        std::copy(extremes.begin(), extremes.end(), of_part.begin());
+        for (Extreme& extreme : of_part) extreme.at = Extreme::nowhere;
+        HWY_DYNAMIC_DISPATCH(Extremes)
+        ({points.subspan(first * d, (last - first) * d), functions, {}, of_part, {}});
+      });
   for (std::size_t i = 0; i < found.size(); ++i) {
     const Extreme& candidate = found[i];
     Extreme& extreme = extremes[i % extremes.size()];
     if (candidate.at != Extreme::nowhere && candidate.value > extreme.value)
-      extreme = {candidate.value, candidate.at + i / extremes.size() * points_per_part};
+      extreme = {candidate.value, candidate.at + i / extremes.size() * per_part};
   }
 }
 
 void find_below(std::span<const double> points, const LinearFunctions& functions,
                 std::span<const double> thresholds, std::span<char> is_below, unsigned threads) {
   const std::size_t d = functions.origin.size(), n = points.size() / std::max<std::size_t>(d, 1);
-  internal::for_parts(threads, n, points_per_part,
+  internal::for_parts(threads, n, points_per_part(functions),
                       [&](std::size_t first, std::size_t last, const internal::StopPoint& stop) {
                         stop();
                         HWY_DYNAMIC_DISPATCH(Below)

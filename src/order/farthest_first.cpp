@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <new>
 
@@ -71,17 +72,20 @@ std::uint32_t take(const FarthestTask& task, std::uint32_t point) {
       hn::MinOfLanes(du, hn::IfThenElse(is_farthest, place_of_largest, hn::Set(du, ~std::uint32_t{0}))));
 }
 
+/// Returns the point that would be chosen next.
 template <std::size_t D>
-void choose_all(const FarthestTask& task) {
+std::uint32_t choose_all(const FarthestTask& task) {
   std::uint32_t next = task.start;
   for (std::uint32_t& chosen : task.chosen) {
     chosen = next;
     next = take<D>(task, next);
   }
+  return next;
 }
 
-void choose_here(const FarthestTask& task) {
-  internal::with_compiled_dimension<3, 5>(task.dimension, [&](auto d) { choose_all<d()>(task); });
+std::uint32_t choose_here(const FarthestTask& task) {
+  return internal::with_compiled_dimension<3, 5>(task.dimension,
+                                                 [&](auto d) { return choose_all<d()>(task); });
 }
 
 }  // namespace HWY_NAMESPACE
@@ -126,11 +130,18 @@ void FarthestFirst::load(PointsView points, std::span<const Index> rows) {
 }
 
 void FarthestFirst::choose(PointsView points, std::span<const Index> rows, std::size_t start,
-                           std::span<std::uint32_t> chosen) {
+                           std::span<std::uint32_t> chosen, const std::function<void()>& stop) {
   load(points, rows);
-  HWY_DYNAMIC_DISPATCH(choose_here)
-  ({dimension_, (rows.size() + lanes - 1) / lanes * lanes, stride_, coordinates_.get(), distances_.get(),
-    static_cast<std::uint32_t>(start), chosen});
+  constexpr std::size_t work_between_stops = std::size_t{1} << 22;  // about a millisecond
+  const std::size_t at_a_time = std::max<std::size_t>(work_between_stops / (rows.size() * dimension_), 1);
+  for (auto next = static_cast<std::uint32_t>(start); !chosen.empty();) {
+    const std::size_t count = std::min(at_a_time, chosen.size());
+    next =
+        HWY_DYNAMIC_DISPATCH(choose_here)({dimension_, (rows.size() + lanes - 1) / lanes * lanes, stride_,
+                                           coordinates_.get(), distances_.get(), next, chosen.first(count)});
+    chosen = chosen.subspan(count);
+    if (stop) stop();
+  }
 }
 
 }  // namespace delone::order

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 
 namespace delone::order {
@@ -22,9 +23,10 @@ class FarthestFirst {
 
   /// Chooses as many of the rows as `chosen` has room for, and writes their places among them. The first is
   /// at `start`; of rows at the same distance the first one is chosen. REQUIRES chosen.size() ≤ rows.size()
-  /// and start < rows.size() ≤ most. Cost O(rows · chosen · dimension).
+  /// and start < rows.size() ≤ most. Cost O(rows · chosen · dimension); `stop` is called now and then, and
+  /// may throw.
   void choose(PointsView points, std::span<const Index> rows, std::size_t start,
-              std::span<std::uint32_t> chosen);
+              std::span<std::uint32_t> chosen, const std::function<void()>& stop = {});
 
  private:
   void load(PointsView points, std::span<const Index> rows);

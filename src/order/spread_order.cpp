@@ -88,7 +88,7 @@ std::vector<Index> spread_order(PointsView points, std::uint64_t seed, std::vect
           stop();
           const std::size_t begin = begin_of(b), size = begin_of(b + 1) - begin;
           const std::span<const Index> block(pass.rows.data() + begin, size);
-          farthest.choose(points, block, starts[b], {chosen.data(), size / 2});
+          farthest.choose(points, block, starts[b], {chosen.data(), size / 2}, stop);
           for (std::size_t c = 0; c < size / 2; ++c)
             pass.rounds[begin + chosen[c]] = c < size / 8 ? kept_round : c < size / 4 ? 2 : 1;
           if (is_first_to_insert)

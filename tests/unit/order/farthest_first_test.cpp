@@ -60,6 +60,29 @@ TEST(FarthestFirst, ChoosesWhatOneByOneIsChosen) {
       }
 }
 
+TEST(FarthestFirst, StopsBetweenAnyPoints) {
+  constexpr int d = 300;
+  constexpr std::size_t n = 2000, count = 50;
+  random::Generator generator(7);
+  std::vector<double> x(n * d);
+  for (double& c : x) c = static_cast<double>(generator.below(65));
+  x[0] = 64, x[d] = 0;
+  const PointsView points(x, d);
+  std::vector<Index> rows(n);
+  std::iota(rows.begin(), rows.end(), Index{0});
+  FarthestFirst farthest(d, n);
+  std::vector<std::uint32_t> chosen(count);
+  std::size_t asked = 0;
+  farthest.choose(points, rows, 5, chosen, [&] { ++asked; });
+  EXPECT_GE(asked, 5u);
+  EXPECT_EQ(chosen, chosen_one_by_one(points, rows, 5, count));
+  EXPECT_THROW(farthest.choose(points, rows, 5, chosen,
+                               [&] {
+                                 if (--asked == 1) throw 1;
+                               }),
+               int);
+}
+
 TEST(FarthestFirst, PointsWithoutAUsableExtentAreChosenInOrder) {
   const std::vector<Index> rows{0, 1, 2, 3};
   for (const double scale : {0.0, 0x1p-1074, 1.7e308}) {
