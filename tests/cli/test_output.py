@@ -5,6 +5,8 @@ import subprocess
 import time
 import unittest
 
+import numpy as np
+
 from cli_support import Case, DELONE
 
 
@@ -17,6 +19,48 @@ class BadOutput(Case):
         self.complaint("hull", points, "-o", self.path("folder.npz"))
         self.complaint("generate", "uniform", "-d", 2, "-n", 5, "-o", self.path("no/such.npy"))
         self.complaint("locate", points, "--queries", points, "-o", self.path("no/such.csv"))
+
+    def test_a_folder_of_somebody_else(self):
+        """As an ordinary user: nothing is refused to root."""
+        nobody = {"user": 65534, "group": 65534, "extra_groups": []} if os.geteuid() == 0 else {}
+        os.chmod(self.folder.name, 0o755)
+        try:
+            subprocess.run([DELONE, "--version"], check=True, capture_output=True, timeout=60, **nobody)
+        except (OSError, subprocess.SubprocessError) as error:
+            self.skipTest(f"another user cannot run the command: {error}")
+        points, weighted = self.uniform(2, 30), self.file("weighted.csv", "x,y,w\n0,0,0\n1,0,0\n0,1,0\n1,1,0.1\n")
+        weights, slabs = self.file("weights.npy", np.zeros(30)), self.file("slabs.txt", "1 0 -1\n-1 0 -1\n0 1 -1\n0 -1 -1\n")
+        simplex = self.file("simplex.ine", "H-representation\nbegin\n3 3 rational\n0 1 0\n0 0 1\n1 -1 -1\nend\n")
+        triangulation = self.path("triangulation.npz")
+        self.output("delaunay", points, "-o", triangulation)
+        locked = self.path("locked")
+        os.mkdir(locked)
+        os.chmod(locked, 0o555)
+        out = os.path.join(locked, "out")
+        writers = [["delaunay", points, "-o", f"{out}.{extension}"] for extension in ("npz", "json", "off", "ply", "vtu", "svg", "html")]
+        writers += [["delaunay", points, "--qhull", "o", "-o", out], ["delaunay", points, "-o", out + "/"], ["delaunay", points, "-o", locked + "/"],
+                    ["regular", weighted, "--weights", "w", "-o", out + "/"], ["regular", points, "--weights", weights, "-o", out + ".npz"],
+                    ["hull", points, "-o", out + ".npz"], ["voronoi", points, "-o", out + ".npz"],
+                    ["voronoi", points, "--box", "0", "0", "1", "1", "--volumes", out + ".csv"],
+                    ["alpha", points, "--radius", "1", "-o", out + ".npz"], ["halfspaces", slabs, "-o", out + ".npz"],
+                    ["polyhedron", simplex, "-o", out + ".ext"], ["generate", "uniform", "-d", "2", "-n", "5", "-o", out + ".npy"],
+                    ["view", triangulation, "-o", out + ".html"], ["locate", triangulation, "--queries", points, "-o", out + ".csv"]]
+        for arguments in writers:
+            text = self.complaint(*arguments, **nobody)
+            self.assertIn(f"{arguments[-1]}: Permission denied", text)
+            self.assertEqual(os.listdir(locked), [], arguments)
+        # A file that may not be changed, in a folder that may.
+        open_folder = self.path("open")
+        os.mkdir(open_folder)
+        os.chmod(open_folder, 0o777)
+        kept = os.path.join(open_folder, "kept.npz")
+        with open(kept, "wb") as file:
+            file.write(b"kept")
+        os.chmod(kept, 0o444)
+        self.assertIn(f"{kept}: Permission denied", self.complaint("delaunay", points, "-o", kept, **nobody))
+        self.assertEqual(os.listdir(open_folder), ["kept.npz"])
+        with open(kept, "rb") as file:
+            self.assertEqual(file.read(), b"kept")
 
     @unittest.skipUnless(os.path.exists("/dev/full"), "needs /dev/full")
     def test_disk_full(self):

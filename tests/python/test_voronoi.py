@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """delone.Voronoi and PowerDiagram: against scipy, volumes of boxes, and diagrams that are known."""
+import itertools
+import math
 import pickle
 
 import numpy as np
@@ -244,3 +246,34 @@ def test_areas_of_long_thin_ridges():
         v = delone.Voronoi(points)
         pair = np.flatnonzero((np.sort(v.ridge_points, axis=1) == [0, 1]).all(axis=1))
         assert np.isclose(v.ridge_volumes()[pair], 4 * width * length, rtol=1e-12, atol=0).all() and len(pair) == 1
+
+
+def volume_by_vertices(points, cells, site, direction):
+    """Of a bounded region, by the formula of Lawrence (doi:10.1090/S0025-5718-1991-1079024-2): a sum over its vertices, which are simple."""
+    d = points.shape[1]
+    terms = []
+    for cell in cells[(cells == site).any(axis=1)]:
+        normals = points[cell[cell != site]] - points[site]
+        vertex = np.linalg.solve(normals, 0.5 * (normals**2).sum(axis=1))
+        slopes = np.linalg.solve(normals.T, direction)
+        terms.append((direction @ vertex) ** d / (math.factorial(d) * abs(np.linalg.det(normals)) * np.prod(slopes)))
+    return math.fsum(terms)
+
+
+@pytest.mark.parametrize("d, n", [(2, 12), (3, 40), (5, 40), (8, 28)])
+def test_volumes_of_regions_by_their_vertices(d, n):
+    random = np.random.default_rng(d)
+    points = random.normal(size=(n, d))
+    points *= random.uniform(1, 1.5, size=(n, 1)) / np.linalg.norm(points, axis=1, keepdims=True)
+    points = np.vstack([np.zeros(d), points])
+    triangulation = delone.Delaunay(points)
+    volume = delone.Voronoi(triangulation).region_volumes(at="points")[0]
+    expected = np.median([volume_by_vertices(points, triangulation.cells, 0, random.normal(size=d)) for _ in range(5)])
+    assert np.isfinite(volume) and np.isclose(volume, expected, rtol=1e-6, atol=0)
+
+
+@pytest.mark.parametrize("d", [4, 5, 6])
+def test_volumes_of_regions_of_a_root_lattice(d):
+    """D_d has the determinant 4, and its roots bound the region of 0."""
+    roots = [a * np.eye(d)[i] + b * np.eye(d)[j] for i, j in itertools.combinations(range(d), 2) for a in (1, -1) for b in (1, -1)]
+    assert np.isclose(delone.Voronoi(np.vstack([np.zeros(d), roots])).region_volumes(at="points")[0], 2, rtol=1e-13, atol=0)
