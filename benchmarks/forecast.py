@@ -5,6 +5,7 @@
   PYTHONPATH=build/release/python forecast.py data/*.csv       all choices of two or more columns of each file
   PYTHONPATH=build/release/python forecast.py --kinds          sets of `delone generate`, 1D to 8D; uniform ones tell whether
                                                                the constants of src/forecast/model/cost.cpp still hold
+  PYTHONPATH=build/release/python forecast.py --hard           seconds that estimates take where samples are hard: at most 1.5
 
 Each construction runs in a process of its own, on one thread. Times are processor times, bytes the growth of the peak of resident memory.
 Bytes below 4 MB and times below 20 ms are shown, and not counted.
@@ -59,11 +60,27 @@ def sets_of_kinds(kinds):
         yield f"{kind} {dimension}D", points, delone.forecast(dimension, n, kind, threads=1)
 
 
+def time_hard_estimates():
+    for kind, n, dimension in (("mixed_scales", 50, 10), ("mixed_scales", 50, 12), ("sphere", 10000, 9), ("moment", 1000, 9), ("uniform", 1000, 12),
+                               ("uniform", 1000, 30), ("uniform", 1100, 1000), ("uniform", 2000, 1000)):
+        points = delone.generate(kind, n, dimension)
+        delone.estimate(points[:2], threads=1)
+        start = time.perf_counter()
+        found = delone.estimate(points, threads=1)
+        seconds = time.perf_counter() - start
+        low, high = found.bytes_range
+        print(f"{kind:<14} {dimension:5}D {n:7} points  {seconds:6.2f} s{'*' if seconds > 1.5 else ' '}  sample of {found.num_sampled:5}   "
+              f"bytes {low:.2g} to {high:.2g}", flush=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("files", nargs="*")
     parser.add_argument("--kinds", nargs="*", help="of `delone generate`; all of them, if none is named")
+    parser.add_argument("--hard", action="store_true", help="only time estimates of hard sets")
     arguments = parser.parse_args()
+    if arguments.hard:
+        return time_hard_estimates()
     sets = sets_of_files(arguments.files)
     if arguments.kinds is not None:
         sets = itertools.chain(sets, sets_of_kinds(arguments.kinds or ["uniform", "ball", "clusters", "cospherical", "flat", "gaussian", "grid",

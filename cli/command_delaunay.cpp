@@ -109,15 +109,17 @@ int run_delaunay(const DelaunayOptions& options) {
   protect_files({options.input.path}, to.outputs(), to.force);
   if (options.trim && (!(*options.trim >= 0) || !std::isfinite(*options.trim)))
     throw UsageError("--trim: a finite distance of at least 0 was expected");
-  const MemoryLimit limit(input_name(options.input.path), to.memory, true);
+  MemoryLimit limit(input_name(options.input.path), to.memory, true);
   const auto start = Clock::now();
   Cost cost;
   PointTable table = options.input.read(to.threads);
   cost.read = seconds_since(start);
+  limit.set_points(table);
   if (!to.qhull.empty())
     check_qhull_output(to.output, Delaunay<>(table.dimension), to.qhull);
   else if (!to.output.empty())
     check_complex_output(to.output, to.output_format, table.dimension);
+  if (!options.furthest_site) about(input_name(options.input.path), [&] { warn_of_memory(table, to); });
   return options.furthest_site ? run_with<FurthestSite<>>(std::move(table), options, start, cost)
                                : run_with<Delaunay<>>(std::move(table), options, start, cost);
 }

@@ -85,6 +85,7 @@ int run_forecast(const ForecastCommand& options, const CLI::App& app) {
   summary.line("time", in_words(found.seconds, messages::readable_seconds) +
                            fmt::format(", {} thread{}", found.threads, found.threads == 1 ? "" : "s"));
   if (has_file) summary.line("sample", counted(found.num_sampled, "point"));
+  if (const std::string text = memory_warning(found); !text.empty()) summary.line("warning", text);
   print_output(summary.text());
   return exit_status::ok;
 }

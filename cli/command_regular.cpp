@@ -30,15 +30,17 @@ Summary summary(const Regular<>& t, const Counts& counts, const Cost& cost, cons
 int run_regular(const RegularOptions& options) {
   const BuildOptions& build = options.build;
   protect_files({options.weighted.input.path, options.weighted.weights}, build.outputs(), build.force);
-  const MemoryLimit limit(input_name(options.weighted.input.path), build.memory, true);
+  MemoryLimit limit(input_name(options.weighted.input.path), build.memory, true);
   const auto start = Clock::now();
   Cost cost;
   std::vector<double> weights;
   const PointTable table = options.weighted.read(weights, build.threads);
   cost.read = seconds_since(start);
+  limit.set_points(table);
   const bool writes = !build.output.empty();
   if (writes) check_complex_output(build.output, build.output_format, table.dimension);
 
+  about(input_name(options.weighted.input.path), [&] { warn_of_memory(table, build); });
   auto stage_start = Clock::now();
   Regular<> triangulation = about(input_name(options.weighted.input.path), [&] {
     ProgressBar bar(build.quiet);

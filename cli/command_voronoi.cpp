@@ -192,6 +192,8 @@ int run_voronoi(const VoronoiOptions& options) {
   cost.read = seconds_since(start);
   check_outputs(options, table.dimension);
   const std::optional<Box> box = chosen_box(options, table.dimension);
+  if (!options.furthest_site)
+    about(input_name(options.weighted.input.path), [&] { warn_of_memory(table, options.build); });
   const std::vector<std::string> column_names = table.column_names;
   const auto taken = [&] { return std::exchange(table, PointTable{}); };  // freed after the triangulation
   if (options.power)

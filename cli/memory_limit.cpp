@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "memory_limit.hpp"
 
+#include "interrupt.hpp"
+#include "output.hpp"
 #include "system.hpp"
 
 #include <delone/error.hpp>
+#include <delone/forecast.hpp>
 
 #include <fmt/format.h>
 
@@ -30,6 +33,21 @@ MemoryLimit::MemoryLimit(const std::string& name, std::uint64_t bytes, bool can_
 
 MemoryLimit::~MemoryLimit() {
   if (scope_) system::restore_limit_of_data();
+}
+
+void MemoryLimit::set_points(const PointTable& table) {
+  if (memory_limit > 0)
+    may_tile = may_tile && tiles_pay(table.dimension, PointsView(table.coordinates, table.dimension).size(),
+                                     memory_limit);
+}
+
+void warn_of_memory(const PointTable& table, const BuildOptions& build) {
+  constexpr double short_time = 60;
+  if (build.quiet || build.memory > 0 || (build.time > 0 && build.time < short_time)) return;
+  const StageGuard guard(Stage::building);
+  const std::string text = memory_warning(PointsView(table.coordinates, table.dimension), table.dimension,
+                                          {.threads = build.threads});
+  if (!text.empty()) print_note(fmt::format("delone: warning: {}\n", text));
 }
 
 bool memory_suffices() {

@@ -2,6 +2,8 @@
 // --memory where all has to be in memory: the command ends at the limit, before the machine suffers.
 #pragma once
 
+#include "build_options.hpp"
+
 #include <delone/progress.hpp>
 
 #include <cstdint>
@@ -22,9 +24,16 @@ class MemoryLimit {
   MemoryLimit& operator=(const MemoryLimit&) = delete;
   ~MemoryLimit();
 
+  /// Which points they are: tiles are recommended only where they pay.
+  void set_points(const PointTable& table);
+
  private:
   std::optional<ProgressScope> scope_;
 };
+
+/// Says on standard error, unless `quiet`, that the triangulation of points is expected to need more memory
+/// than is available. Where there is a limit of memory, or of time below a minute, that will say it.
+void warn_of_memory(const PointTable& table, const BuildOptions& build);
 
 /// False once the limit of memory is reached.
 bool memory_suffices();

@@ -61,7 +61,7 @@ RULES = {
     "src/io/polyhedra": (PUBLIC, {"src/io", "src/messages", "src/base"}),
     "src/view": (PUBLIC, {"src/faces", "src/io", "src/io/complexes", "src/base"}),
     "src/tiles": (PUBLIC, {"src/triangulation", "src/solve", "src/complex", "src/io", "src/io/points", "src/io/complexes", "src/order",
-                           "src/kernel", "src/messages", "src/base"}),
+                           "src/kernel", "src/forecast/model", "src/messages", "src/base"}),
     "src/tiles/check": (PUBLIC, {"src/tiles", "src/check", "src/complex", "src/io", "src/kernel", "src/base"}),
     # The public header for MPI includes that of MPI.
     "include/delone/mpi": (PUBLIC, set()),

@@ -45,11 +45,11 @@ struct ForecastOptions {
 ///
 /// Uniform points have a closed form: the Poisson–Delaunay constant (Miles 1974, Møller 1994), which is their
 /// limit (Dwyer 1991, doi:10.1007/BF02574694), with measured constants for the influence of the border and
-/// for costs. Times are scaled to this machine by building a small set, which takes about 50 milliseconds.
-/// Lattices have cells by their volume, and the moment curve by Gale's evenness condition. What else is
-/// unknown follows from samples that are generated and triangulated, as estimate() does it. Within a factor
-/// of 1.5 of the truth in up to 8 dimensions; beyond 8 every kind is forecast as uniform points are, and
-/// roughly.
+/// for costs, from 9 dimensions on the same for all. Times are scaled to this machine by building a small
+/// set, which takes about 50 milliseconds. Lattices have cells by their volume, and the moment curve by
+/// Gale's evenness condition. What else is unknown follows from samples that are generated and triangulated,
+/// as estimate() does it. Within a factor of 1.5 of the truth in up to 8 dimensions; beyond 8 every kind is
+/// forecast as uniform points are, and the range is as wide as what has not been measured makes it.
 ///
 /// Throws Errc::bad_dimension unless dimension ≥ 1, invalid_argument for an unknown kind and for
 /// sample_seconds, cancelled, and out_of_memory.
@@ -63,9 +63,28 @@ DELONE_EXPORT Forecast forecast(int dimension, std::size_t num_points, std::stri
 /// distances of nearest neighbors; its cells follow from its volume. Duplicates are counted.
 ///
 /// Cost: about a twentieth of the construction or 0.3 seconds, at most sample_seconds, and O(n·d) to read the
-/// points, up to 15 times. Throws Errc::not_finite, bad_dimension, cancelled, out_of_memory, and
-/// invalid_argument for sample_seconds.
+/// points, up to 15 times. A sample that has not ended 0.2 seconds after sample_seconds, or after a second if
+/// that is later, is given up; then smaller ones tell what they can, or points spread evenly do, and the
+/// range says so. Throws Errc::not_finite, bad_dimension, cancelled, out_of_memory, and invalid_argument for
+/// sample_seconds.
 DELONE_EXPORT Forecast estimate(const AnyPoints<>& points, int dimension,
                                 const ForecastOptions& options = {});
+
+/// What to tell a user before a construction makes the machine swap: a sentence if more memory is expected to
+/// be needed than the system has available to this process, otherwise empty, as on systems that do not tell.
+/// The command and the Python module ask it before they build without a limit of memory.
+DELONE_EXPORT std::string memory_warning(const Forecast& forecast);
+
+/// The same for given points: estimate() is asked only if so many points, spread evenly, would take a quarter
+/// of what is available, or more. So smaller sets cost less than a microsecond, and those with four times as
+/// many cells as points spread evenly may be missed. Throws as estimate().
+DELONE_EXPORT std::string memory_warning(const AnyPoints<>& points, int dimension,
+                                         const ForecastOptions& options = {});
+
+/// Whether tiles (delone/tiles.hpp) are worth their cost where points, spread evenly, do not fit into
+/// `memory` bytes: a tile that fits must insert no more points of other tiles than of its own. Tiles make the
+/// largest piece smaller, and the whole larger; in many dimensions points of other tiles soon dominate. A
+/// closed form. Throws Errc::bad_dimension unless dimension ≥ 1.
+DELONE_EXPORT bool tiles_pay(int dimension, std::size_t num_points, std::size_t memory);
 
 }  // namespace delone

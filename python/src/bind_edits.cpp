@@ -9,6 +9,8 @@
 
 #include <pybind11/stl.h>
 
+#include <delone/forecast.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -65,6 +67,22 @@ void add(Held& held, const py::object& points, const py::object& weights, const 
   if (rows.shape(0) > 0) held.set_row_index(py::none());
 }
 
+/// Says that points are expected to need more memory than is available. Where there is a limit of memory, or
+/// of time below a minute, that will say it.
+void warn_of_memory(const py::array_t<double>& rows, const BuildArguments& arguments) {
+  constexpr double short_time = 60;
+  if (arguments.memory_limit > 0 || (arguments.time_limit > 0 && arguments.time_limit < short_time)) return;
+  ForecastOptions options;
+  options.threads = static_cast<unsigned>(arguments.threads);
+  Supervisor supervisor;
+  const std::string text =
+      supervisor.run([&, points = PointsView(numbers(rows), static_cast<int>(rows.shape(1)))] {
+        return memory_warning(points, points.dimension(), options);
+      });
+  if (!text.empty() && PyErr_WarnEx(PyExc_RuntimeWarning, text.c_str(), 1) != 0)
+    throw py::error_already_set();
+}
+
 template <class T>
 std::unique_ptr<T> construct(const py::object& points, const py::object& weights, std::uint64_t seed,
                              std::string order, int threads, const py::object& progress,
@@ -75,6 +93,7 @@ std::unique_ptr<T> construct(const py::object& points, const py::object& weights
                                                  as_memory_limit(memory_limit), as_time_limit(time_limit)});
   const py::object index = index_of(points);
   require_index(weights, index, "weights");
+  if (held->form() != Form::furthest_site) warn_of_memory(rows, held->arguments());
   add(*held, rows, weights, progress);
   held->set_columns(columns_of(points));
   held->set_row_index(index);

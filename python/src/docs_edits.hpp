@@ -320,6 +320,12 @@ CancelledError
 OutOfMemoryError, TimeLimitError
     If a limit is reached. The message says how far the call got and about what the whole would need.
 
+Warns
+-----
+RuntimeWarning
+    If the triangulation is expected to need more memory than is available, and there is no `memory_limit`, nor a `time_limit` of
+    less than a minute. Only large sets are examined, for about a second.
+
 See Also
 --------
 estimate : Predict the cost.

@@ -38,7 +38,7 @@ Notes
 -----
 Uniform points have a closed form, with times scaled to this machine, which takes about 50 milliseconds once. Of other kinds samples
 are generated and triangulated, as by `estimate`. Cells, bytes and seconds are within a factor of 1.5 of the truth in up to 8
-dimensions; beyond they are rough. Sources: Miles 1974 and Moller 1994 (Poisson-Delaunay constants), Dwyer 1991,
+dimensions; beyond, ranges are wider, and every kind is forecast as uniform points are. Sources: Miles 1974 and Moller 1994 (Poisson-Delaunay constants), Dwyer 1991,
 doi:10.1007/BF02574694 (uniform points), McMullen 1970 (most cells).
 
 Examples
@@ -86,7 +86,8 @@ Notes
 -----
 Beyond the largest sample the number of cells is compared with that of points that are spread evenly, and the difference goes on as it
 did among the samples. Lattices are recognized, and duplicates counted. The result depends on the set of points, and on the size of the samples, which depends on time: at least 20 000 cells, then
-about a twentieth of the construction or 0.3 seconds, and at most `sample_seconds`. Reading the points costs O(n d).
+about a twentieth of the construction or 0.3 seconds, and at most `sample_seconds`. A sample that has not ended 0.2 seconds after
+`sample_seconds`, or after a second if that is later, is given up, and the range is wide. Reading the points costs O(n d).
 
 Examples
 --------

@@ -16,8 +16,13 @@ namespace delone::internal {
 
 /// What a construction takes in all.
 struct WholeCost {
-  double bytes = 0, seconds = 0;  ///< 0: not known
+  double bytes = 0, seconds = 0;                ///< 0: not known
+  double bytes_factor = 1, seconds_factor = 1;  ///< by which they may be wrong
 };
+
+/// What a construction takes up to a fraction of its points, by a model: bytes on top of those of the process
+/// before it began.
+using CostModel = std::function<WholeCost(double fraction)>;
 
 /// How far a construction has come.
 struct Passed {
@@ -31,6 +36,10 @@ struct Passed {
 /// time (by less than 20 ms, 4 MB), it goes on as it was. Zeros where that says nothing.
 WholeCost extrapolated(const std::vector<Passed>& passed, bool may_grow = true);
 
+/// The same with a model: what has passed tells how many times as much as the model says is needed, and how
+/// that changes. Where it says nothing, the model alone does. `bytes_before`: of the process, before.
+WholeCost extrapolated(const std::vector<Passed>& passed, const CostModel& model, double bytes_before);
+
 /// While it lives, constructions in this thread end with an error at a limit: Errc::out_of_memory once the
 /// resident memory of the process comes near `memory` bytes, Errc::time_limit after `seconds`. 0 is no
 /// limit. Both are looked at where a progress function would be called.
@@ -41,9 +50,8 @@ class BuildLimits {
   BuildLimits(const BuildLimits&) = delete;
   BuildLimits& operator=(const BuildLimits&) = delete;
 
-  /// What the whole will take as far as a model knows, for when the way so far does not say. Called at a
-  /// limit only; must outlive the limits.
-  void set_model(std::function<WholeCost()> model) { model_ = std::move(model); }
+  /// How costs grow as far as a model knows. Called at a limit only; must outlive the limits.
+  void set_model(CostModel model) { model_ = std::move(model); }
   /// Whether the fraction done is one of items from now on. At first it is.
   void count_items(bool counts);
   /// Says that no item costs more because of others, so that the cost is proportional to their number.
@@ -71,7 +79,7 @@ class BuildLimits {
   double seconds_;
   const char* items_;
   bool counts_items_ = true, independent_ = false;
-  std::function<WholeCost()> model_;
+  CostModel model_;
   double bytes_before_ = 0;
   Stopwatch stopwatch_;
   std::vector<Passed> passed_;

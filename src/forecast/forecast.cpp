@@ -58,8 +58,9 @@ Forecast spread_evenly(int dimension, std::size_t num_points, std::string_view k
   cost_model::Cost cost =
       cost_model::cost_of_spread(k, dimension, n, distinct_points(kind, dimension, n), k == dimension);
   cost.seconds *= cost_model::machine_nanoseconds() / cost_model::reference_nanoseconds;
-  return cost_model::as_forecast(cost, dimension, num_points, threads,
-                                 {1 + 0.07 * std::log2(2 * cost.beyond), 1.4});
+  return cost_model::as_forecast(
+      cost, dimension, num_points, threads,
+      {cost.factor, dimension > cost_model::largest_measured_dimension ? 2.5 : 1.4});
 }
 
 }  // namespace

@@ -67,7 +67,13 @@ double misfit(Samples samples, Law law) {
 double infinite_per_cell(Samples samples, double vertices) {
   const SampleCost& last = samples.back();
   const double ratio = last.infinite_cells / last.cells;
-  if (!tell_growth(samples)) return ratio;
+  if (!tell_growth(samples)) {  // as of points that are spread evenly
+    const int k = last.affine_dimension;
+    const Cost from = cost_of_spread(k, last.points), to = cost_of_spread(k, std::max(vertices, last.points));
+    return from.infinite_cells > 0
+               ? ratio * (to.infinite_cells / to.cells) / (from.infinite_cells / from.cells)
+               : ratio;
+  }
   const SampleCost& before = samples[samples.size() - 2];
   if (!(before.points < last.points)) return ratio;
   const double slope =
@@ -94,9 +100,13 @@ GrownCells grown_cells(Samples samples, double vertices) {
   for (std::size_t i = 0; i < credit.size(); ++i) mean += weights[i] / sum * results[i];
   for (std::size_t i = 0; i < credit.size(); ++i)
     variance += weights[i] / sum * (results[i] - mean) * (results[i] - mean);
-  const double doublings = std::log2(std::max(vertices / last.points, 1.0));
-  return {std::min(std::exp(mean), most_cells(last.affine_dimension, vertices)),
-          std::exp(std::sqrt(variance) + 0.03 * doublings + 0.02)};
+  const int k = last.affine_dimension;
+  const double growth = std::max(vertices / last.points, 1.0);
+  // What is different from points that are spread evenly may stay, and how these grow is known to a factor.
+  const double stays = is_known ? 0 : std::abs(offset(last)) * (1 - std::pow(growth, -1.0 / k));
+  const double spread = k <= largest_measured_dimension ? 0 : 0.15 * std::log(growth);
+  return {std::min(std::exp(mean), most_cells(k, vertices)),
+          std::exp(std::sqrt(variance) + stays + spread + 0.03 * std::log2(growth) + 0.02)};
 }
 
 Cost grown_cost(Samples samples, int d, double n, double vertices, double cells) {

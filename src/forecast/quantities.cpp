@@ -29,11 +29,6 @@ ForecastQuantity whole(double expected, double factor) {
 
 }  // namespace
 
-double speedup(unsigned threads) {
-  constexpr double alone = 0.35;  // of the time, what threads do not share: 1.3 to 1.6 for two of them
-  return 1 / (alone + (1 - alone) / std::max(threads, 1u));
-}
-
 Forecast as_forecast(const Cost& cost, int dimension, std::size_t num_points, unsigned threads,
                      const Uncertainty& about) {
   Forecast forecast;

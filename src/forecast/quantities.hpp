@@ -18,7 +18,4 @@ struct Uncertainty {
 Forecast as_forecast(const Cost& cost, int dimension, std::size_t num_points, unsigned threads,
                      const Uncertainty& about);
 
-/// How many times as fast so many threads build; 1 for one.
-double speedup(unsigned threads);
-
 }  // namespace delone::cost_model

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace delone::cost_model {
 namespace {
@@ -17,25 +18,22 @@ namespace {
 class Sampling {
  public:
   Sampling(const SampledSet& set, const ForecastOptions& options)
-      : set_(set), options_(options), spent_(set.spent) {}
+      : set_(set), options_(options), spent_(set.spent), most_seconds_(hardest(options)) {}
 
   Forecast run() {
     if (set_.num_points == 0) return finish({}, {1, 1});
-    // The cost of sets in many dimensions grows fast.
-    const int d = set_.dimension;
-    const double stretch = d <= 5 ? 2 : 1.5;
-    auto m = static_cast<std::size_t>(d <= 5 ? 8 * (d + 1) : 2 * d + 4);
-    for (;;) {
+    for (std::size_t m = first_size();; m = next_size(m)) {
       m = std::min(m, set_.most);
-      build(m);
+      if (!build(m)) return stopped();
       const bool is_complete = m == set_.most && set_.most_is_all;
       const auto [cost, factor] = whole(is_complete);
       if (is_complete) return finish(cost, {1, 1.25});
       const double budget = std::min(std::max(cost.seconds / 20, least_budget), options_.sample_seconds);
       const bool is_enough = samples_.back().created_cells >= least_created;
-      if (m == set_.most || (is_enough && spent_ + next_seconds(stretch) > budget))
+      const double next = spent_ + next_seconds(static_cast<double>(next_size(m)) / static_cast<double>(m));
+      if (m == set_.most || (is_enough && next > budget))
         return finish(cost, {factor, samples_.back().seconds < 0.01 ? 1.5 : 1.3});
-      m = static_cast<std::size_t>(stretch * static_cast<double>(m)) + 1;
+      if (!is_enough && next > 2 * most_seconds_) return stopped();
     }
   }
 
@@ -44,11 +42,46 @@ class Sampling {
   /// A sample with fewer cells tells too little, however long it took.
   static constexpr double least_created = 20000;
 
-  void build(std::size_t m) {
+  /// After so many seconds samples end, also within one of them: the work of a small sample may have no
+  /// bound that is known before, as in many dimensions or where many signs take exact arithmetic.
+  static double hardest(const ForecastOptions& options) {
+    constexpr double least = 1, ahead = 0.2;
+    return std::max(options.sample_seconds, least) + ahead;
+  }
+
+  /// The cost of sets in many dimensions grows fast. Beyond the compiled ones the first samples have hardly
+  /// more points than a simplex.
+  std::size_t first_size() const {
+    const int d = set_.dimension;
+    return static_cast<std::size_t>(d <= 5                            ? 8 * (d + 1)
+                                    : d <= largest_measured_dimension ? 2 * d + 4
+                                                                      : d + 3);
+  }
+  std::size_t next_size(std::size_t m) const {
+    const std::size_t simplex = static_cast<std::size_t>(set_.dimension) + 1;
+    if (set_.dimension > largest_measured_dimension && m < 2 * simplex) return simplex + 2 * (m - simplex);
+    return static_cast<std::size_t>((set_.dimension <= 5 ? 2 : 1.5) * static_cast<double>(m)) + 1;
+  }
+
+  /// False if there is no time for it.
+  bool build(std::size_t m) {
     const double begin = platform::thread_seconds();
     const std::vector<double> points = set_.sample(m);
-    const double start = platform::thread_seconds();
-    const Delaunay<> t(points, set_.dimension);
+    const double start = platform::thread_seconds(), last = begin + most_seconds_ - spent_;
+    if (!(start < last)) return false;
+    bool is_late = false;
+    const auto goes_on = [&](double) {
+      is_late = platform::thread_seconds() > last;
+      return !is_late;
+    };
+    std::optional<Delaunay<>> built;
+    try {
+      built.emplace(points, set_.dimension, Options{.progress = goes_on});
+    } catch (const Error& error) {
+      if (error.code() != Errc::cancelled || !is_late) throw;
+      return false;
+    }
+    const Delaunay<>& t = *built;
     const double end = platform::thread_seconds();
     spent_ += end - begin;
     const Statistics statistics = t.statistics();
@@ -58,6 +91,7 @@ class Sampling {
          static_cast<double>(t.num_finite_cells()), static_cast<double>(t.num_infinite_cells()),
          std::max(static_cast<double>(statistics.created_cells), 1.0), end - start, is_hard(statistics)});
     largest_ = m;
+    return true;
   }
 
   /// Whether so many signs are too close to 0 for rounded numbers that cells cannot be wrapped.
@@ -103,11 +137,25 @@ class Sampling {
     return result;
   }
 
+  /// Where a sample has been stopped, smaller ones tell what they can; without any, points that are spread
+  /// evenly do.
+  Forecast stopped() const {
+    if (!samples_.empty() && samples_.back().affine_dimension >= 1) {
+      const auto [cost, factor] = whole(false);
+      const bool is_enough = samples_.back().created_cells >= least_created;
+      return finish(cost, {is_enough ? factor : 2 * factor, 3});
+    }
+    const auto n = static_cast<double>(set_.num_points);
+    const Cost cost = cost_of_spread(set_.dimension, set_.dimension, n, set_.num_distinct, true);
+    return finish(cost, {10 * cost.factor, 10});
+  }
+
   const SampledSet& set_;
   const ForecastOptions& options_;
   std::vector<SampleCost> samples_;
   std::size_t largest_ = 0;
   double spent_;
+  const double most_seconds_;
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tiles/tile_plan.hpp"
 
+#include "forecast/model/tiles_share.hpp"
 #include "tiles/memory_pages.hpp"
 #include "tiles/page_tree.hpp"
 #include "tiles/tile_triangulation.hpp"
@@ -23,11 +24,6 @@ std::span<const double> some_of(std::span<const double> sample, int dimension, i
   const auto place = static_cast<std::size_t>(std::max(k, 0)), d = static_cast<std::size_t>(dimension);
   const std::size_t some = place < sizes.size() ? sizes[place] : 40;
   return sample.first(std::min(sample.size() / d, some) * d);
-}
-
-/// The inner faces of a tile: one per halving, two per axis at most.
-double inner_faces(int k, std::size_t num_tiles) {
-  return std::min(2.0 * k, std::log2(static_cast<double>(num_tiles)));
 }
 
 constexpr std::size_t tiles_of_sample = 8;
@@ -59,14 +55,13 @@ double cells_per_point(std::span<const double> sample, const Survey& survey) {
 double ForeignShare::of(double n, std::size_t num_tiles) const {
   if (num_tiles <= 1 || dimension < 1) return 0;
   // A tile has no more foreign points than there are.
-  return std::min(share * inner_faces(dimension, num_tiles) * std::pow(n / points, -exponent),
+  return std::min(share * cost_model::inner_faces(dimension, static_cast<double>(num_tiles)) *
+                      std::pow(n / points, -exponent),
                   static_cast<double>(num_tiles - 1));
 }
 
 ForeignShare ForeignShare::of_uniform_points(int dimension) {
-  constexpr std::array<double, 7> factors{0, 1, 1.1, 1.3, 1.6, 2.5, 3.5};
-  const auto k = std::min(static_cast<std::size_t>(std::max(dimension, 0)), factors.size() - 1);
-  return {factors[k], 1, k > 0 ? 1.0 / dimension : 0, dimension};
+  return {cost_model::foreign_per_face(dimension), 1, dimension > 0 ? 1.0 / dimension : 0, dimension};
 }
 
 ForeignShare ForeignShare::of_sample(std::span<const double> sample, int dimension) {
@@ -77,7 +72,7 @@ ForeignShare ForeignShare::of_sample(std::span<const double> sample, int dimensi
   if (k < 1 || n < 2 * tiles_of_sample * tiles_of_sample) return of_uniform_points(k);
   const double of_large = measure_share(large, dimension),
                of_small = measure_share(large.first(n / 8 * d), dimension),
-               faces = inner_faces(k, tiles_of_sample);
+               faces = cost_model::inner_faces(k, tiles_of_sample);
   const double exponent =
       of_large > 0 ? std::clamp(std::log2(of_small / of_large) / 3, 0.0, 1.5 / k) : 1.0 / k;
   return {of_large / faces, static_cast<double>(n) / tiles_of_sample, exponent, k};

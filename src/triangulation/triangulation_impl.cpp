@@ -74,14 +74,15 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
                 std::to_string(weights.size()) + " weights for " + std::to_string(n) + " points");
   check_finite(coordinates, weights);
   if (n == 0) return;
-  const auto num_all = static_cast<double>(points().last_vertex() + n);
+  const auto before = static_cast<double>(points().last_vertex()), added = static_cast<double>(n);
   transact(
       "points",
       [&](construction::Construction& construction) { construction.insert(coordinates, weights, release); },
       [&](internal::BuildLimits& limits) {
-        limits.set_model([d = dimension(), num_all] {  // of a set spread evenly
-          const cost_model::Cost cost = cost_model::cost_of_spread(d, num_all);
-          return internal::WholeCost{cost.bytes, cost.seconds};
+        const double speed = cost_model::speedup(internal::threads_to_use(state->options.threads));
+        limits.set_model([d = dimension(), before, added, speed](double fraction) {  // of a set spread evenly
+          const cost_model::Cost cost = cost_model::cost_of_spread(d, before + fraction * added);
+          return internal::WholeCost{cost.bytes, cost.seconds / speed, 1.1 * cost.factor, 2 * cost.factor};
         });
       });
 }
@@ -193,7 +194,9 @@ void Triangulation::Impl::forget_undo() {
 
 void Triangulation::Impl::undo() {
   require_idle();
-  if (!last_edit) throw Error(Errc::invalid_argument, "there is nothing to undo; only edits after record_undo() are taken back");
+  if (!last_edit)
+    throw Error(Errc::invalid_argument,
+                "there is nothing to undo; only edits after record_undo() are taken back");
   Changes made;
   if (recording.changes) {
     made = construction::Construction::changes_since(*state, *last_edit);

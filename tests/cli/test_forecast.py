@@ -2,12 +2,14 @@
 """delone forecast, and --memory and --time, which end a build before the machine does."""
 import json
 import os
+import re
+import subprocess
 import tempfile
 import unittest
 
 import numpy as np
 
-from cli_support import Case
+from cli_support import Case, DELONE
 
 STATS = {"command": str, "dimension": int, "affine_dimension": int, "points": int, "sampled": int, "vertices": dict, "cells": dict,
          "bytes": dict, "seconds": dict, "threads": int, "version": str}
@@ -62,7 +64,8 @@ class Forecasts(Case):
 
 class Limits(Case):
     REACHED = r"stopped at the limit of {} (with (less than )?\d+ % of the points inserted|while cells were made)"
-    WHOLE = r"; the whole would have taken about [\d.]+ [kMGTPE]?B and [\d.]+ (seconds?|minutes?|hours?|days?|years?)"
+    BYTES, TIME = r"[\d.]+ [kMGTPE]?B", r"[\d.]+ (seconds?|minutes?|hours?|days?|years?)"
+    WHOLE = rf"; the whole would have taken about {BYTES} \({BYTES} to {BYTES}\) and about {TIME} \({TIME} to {TIME}\)"
 
     @classmethod
     def setUpClass(cls):
@@ -93,11 +96,47 @@ class Limits(Case):
         out = self.path("out.npz")
         text = self.complaint("delaunay", self.points, "--memory", "100MB", "-o", out, status=3)
         self.assertRegex(text, self.REACHED.format("100 MB"))
-        self.assertIn("with a folder as output", text)
+        self.assertNotIn("folder", text)  # tiles do not pay in 6D
         self.assertFalse(os.path.exists(out))
+        text = self.complaint("delaunay", self.uniform(3, 300000), "--memory", "60MB", status=3)
+        self.assertIn("with a folder as output", text)
         text = self.complaint("hull", self.sphere, "--memory", "100MB", status=3)
         self.assertRegex(text, self.REACHED.format("100 MB"))
         self.assertNotIn("folder", text)
+
+    def test_all_forecasts_agree(self):
+        points = self.uniform(10, 1000)
+        ranges = []
+        for arguments in (["-d", "10", "-n", "1000"], [points]):
+            found = json.loads(self.output("forecast", *arguments, "--stats"))["bytes"]
+            ranges.append((found["low"], found["expected"], found["high"]))
+        for limit in (("--time", "1"), ("--memory", "300MB")):
+            text = self.complaint("delaunay", points, "--threads", "1", *limit, status=3)
+            sizes = re.search(r"taken about ([\d.]+) (\w+) \(([\d.]+) (\w+) to ([\d.]+) (\w+)\)", text).groups()
+            middle, low, high = (float(number) * {"MB": 1e6, "GB": 1e9, "TB": 1e12}[unit] for number, unit in zip(sizes[::2], sizes[1::2]))
+            ranges.append((low, middle, high))
+        # A message knows some tens of points only, which have some megabytes of cells: its middle may be off by a few times.
+        for low, _, high in ranges:
+            for _, middle, _ in ranges[:2]:
+                self.assertLess(low, middle, ranges)
+                self.assertLess(middle, high, ranges)
+        for low, middle, high in ranges[2:]:
+            self.assertLess(abs(np.log(middle / ranges[0][1])), np.log(6), ranges)
+            self.assertLess(high / low, 400, ranges)
+
+    def test_a_warning_comes_before_the_work(self):
+        points = self.path("points.npy")
+        np.save(points, np.random.default_rng(0).random((3000, 12)))  # petabytes
+        warning = r"delone: warning: the triangulation is expected to take about \S+ [TPE]B of memory \(.*\), and \S+ \wB are available\n"
+        for command in (["delaunay"], ["voronoi"]):
+            process = subprocess.Popen([DELONE, *command, points], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+            self.addCleanup(process.wait)
+            self.addCleanup(process.stderr.close)
+            self.addCleanup(process.kill)
+            self.assertRegex(process.stderr.readline(), warning)
+        self.assertIn("are available", self.output("forecast", points))
+        text = self.complaint("delaunay", points, "--time", "0.2", status=3)  # one line: the error says it
+        self.assertRegex(text, self.REACHED.format("0.2 seconds"))
 
     def test_enough(self):
         points = self.uniform(3, 1000)

@@ -3,13 +3,15 @@
 import math
 import pickle
 import re
+import warnings
 
 import numpy as np
 import pytest
 
 import delone
 
-WHOLE = r"; the whole would have taken about [\d.]+ [kMGTPE]?B and [\d.]+ \w+"
+BYTES, TIME = r"[\d.]+ [kMGTPE]?B", r"[\d.]+ \w+"
+WHOLE = rf"; the whole would have taken about {BYTES} \({BYTES} to {BYTES}\) and about {TIME} \({TIME} to {TIME}\)"
 
 
 def points_of(n, dimension):
@@ -83,13 +85,36 @@ def test_a_limit_of_memory_ends_constructions(name):
 
 
 def test_the_whole_is_told():
-    with pytest.raises(delone.TimeLimitError, match=r"with \d+ % of the points inserted" + WHOLE):
+    with pytest.raises(delone.TimeLimitError, match=r"with (less than )?\d+ % of the points inserted" + WHOLE):
         delone.Delaunay(points_of(20_000, 5), threads=1, time_limit=0.4)
 
 
 def test_a_wrapped_set_says_what_the_whole_takes():
     with pytest.raises(delone.TimeLimitError, match="while cells were made" + WHOLE):
         delone.Delaunay(points_of(3000, 7), time_limit=0.3)
+
+
+def test_a_set_larger_than_memory_is_a_warning():
+    large = points_of(3000, 12)  # petabytes
+    with pytest.warns(RuntimeWarning, match=rf"expected to take about \S+ [TPE]B of memory \({BYTES} to {BYTES}\), and {BYTES} are available$"):
+        with pytest.raises(delone.CancelledError):
+            delone.Delaunay(large, progress=lambda fraction: False)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        with pytest.raises(RuntimeWarning):
+            delone.Regular(large, np.zeros(len(large)))
+        with pytest.raises(delone.TimeLimitError):  # a limit says it
+            delone.Delaunay(large, time_limit=0.1)
+        with pytest.raises(delone.OutOfMemoryError):
+            delone.Delaunay(large, memory_limit=1e6)
+        delone.Delaunay(points_of(1000, 5))
+        delone.FurthestSite(points_of(1000, 2))
+
+
+def test_an_estimate_ends_also_within_a_sample():
+    found = delone.estimate(points_of(1100, 1000))  # a sample of 1003 points would take hours
+    assert found.num_sampled == 0
+    assert found.seconds_range[1] > 100 * found.seconds_range[0]
 
 
 def test_what_was_there_stays():

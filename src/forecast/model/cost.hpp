@@ -10,10 +10,10 @@ struct Cost {
   double cells = 0, infinite_cells = 0, created_cells = 0;
   double bytes = 0;    ///< that the process needs at the peak, the points of the caller apart
   double seconds = 0;  ///< of one thread, on the machine of the measurements
-  double beyond = 1;   ///< how many times as many vertices as the largest measured set has; at least 1
+  double factor = 1;   ///< by which the number of cells may be wrong
 };
 
-/// Beyond this dimension costs are continued, and rough.
+/// Up to this dimension each has constants of its own; beyond, all have the same, from 6 to 20 dimensions.
 inline constexpr int largest_measured_dimension = 8;
 
 /// Points that are spread evenly over k dimensions, `vertices` of them distinct, with d coordinates each.
@@ -24,6 +24,9 @@ inline Cost cost_of_spread(int d, double points) { return cost_of_spread(d, d, p
 
 /// Bytes for `cells` cells in k dimensions, finite and infinite ones, and their points, as above.
 double bytes_of(int k, int d, double points, double vertices, double cells, bool wraps);
+
+/// How many times as fast so many threads build; 1 for one.
+double speedup(unsigned threads);
 
 /// Nanoseconds per created cell of the set by which the speed of a machine is measured (speed.hpp), on the
 /// machine of the measurements.

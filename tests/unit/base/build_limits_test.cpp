@@ -39,6 +39,42 @@ TEST(BuildLimits, ThePowerOfTheGrowthIsContinued) {
   EXPECT_EQ(extrapolated({{0.001, 1, 1}}).seconds, 0);
 }
 
+/// A model whose cost is the fraction to a power.
+CostModel model_of(double exponent) {
+  return [=](double f) { return WholeCost{1e9 * std::pow(f, exponent), std::pow(f, exponent), 1.2, 1.5}; };
+}
+
+TEST(BuildLimits, AModelIsContinuedFromWhatHasPassed) {
+  constexpr double before = 5e8;
+  for (const double times : {0.5, 1.0, 3.0}) {
+    std::vector<Passed> passed = grown_like(2, 0.3);
+    for (Passed& p : passed) p.seconds *= times, p.bytes = before + times * p.bytes;
+    const WholeCost whole = extrapolated(passed, model_of(2), before);
+    EXPECT_NEAR(whole.seconds, times, 1e-6);
+    EXPECT_NEAR(whole.bytes, before + times * 1e9, 1);
+    EXPECT_LT(whole.bytes_factor, 1.2);
+  }
+  // Where it grows otherwise than the model says, both are in the range.
+  const std::vector<Passed> passed = grown_like(2, 0.3);
+  const double at_last = passed.back().bytes, stretch = 1 / passed.back().fraction;
+  const WholeCost whole = extrapolated(passed, model_of(1.5), 0);
+  for (const double exponent : {1.5, 2.0}) {
+    EXPECT_LT(whole.bytes / whole.bytes_factor, at_last * std::pow(stretch, exponent));
+    EXPECT_GT(whole.bytes * whole.bytes_factor, at_last * std::pow(stretch, exponent));
+  }
+}
+
+TEST(BuildLimits, TheModelAloneTellsWhereLittleHasPassed) {
+  for (const std::vector<Passed>& passed :
+       {std::vector<Passed>{}, std::vector<Passed>{{0.001, 7, 1e9}}, std::vector<Passed>{{0.5, 1e-3, 1e6}}}) {
+    const WholeCost whole = extrapolated(passed, model_of(2), 1e6);
+    EXPECT_EQ(whole.bytes, 1.001e9);
+    EXPECT_EQ(whole.seconds, 1);
+    EXPECT_EQ(whole.bytes_factor, 1.2);
+    EXPECT_EQ(whole.seconds_factor, 1.5);
+  }
+}
+
 TEST(BuildLimits, WhatHasHardlyChangedGoesOnAsItWas) {
   std::vector<Passed> passed;
   for (double f = 0.01; f < 0.1; f *= 1.05)
@@ -87,11 +123,12 @@ TEST(BuildLimits, TheMessageSaysHowFarItCameAndWhatTheWholeTakes) {
 
 TEST(BuildLimits, AModelTellsWhereTheFractionDoesNot) {
   BuildLimits limits(0, 0.05, "points");
-  limits.set_model([] { return WholeCost{7e15, 240}; });
+  limits.set_model([](double) { return WholeCost{7e15, 240, 2, 3}; });
   limits.count_items(false);
   const Error error = error_of(limits);
   EXPECT_THAT(error.what(),
-              HasSubstr("while cells were made; the whole would have taken about 7 PB and 4 minutes"));
+              HasSubstr("while cells were made; the whole would have taken about 7 PB (3.5 PB to 14 PB) and "
+                        "about 4 minutes (80 seconds to 12 minutes)"));
 }
 
 TEST(BuildLimits, MemoryThatTheProcessHasAlreadyIsAnError) {
@@ -105,12 +142,14 @@ TEST(BuildLimits, MemoryThatTheProcessHasAlreadyIsAnError) {
 // Such a limit is one that would not have been reached.
 TEST(BuildLimits, TheMessageTellsALimitOfMemoryThatWouldDo) {
   BuildLimits limits(std::size_t{1} << 40, 0.03, "points");
-  limits.set_model([] { return WholeCost{1e12, 240}; });
+  limits.set_model([](double) { return WholeCost{1e12, 240, 1.5, 1.5}; });
   limits.count_items(false);
-  EXPECT_THAT(error_of(limits).what(), HasSubstr(" TB and 4 minutes, for which a limit of memory of 1"));
+  EXPECT_THAT(error_of(limits).what(),
+              HasSubstr(" TB) and about 4 minutes (2.7 minutes to 6 minutes), for which "
+                        "a limit of memory of 1.5 TB would do"));
   if (platform::resident_memory() == 0) GTEST_SKIP() << "the system does not tell the memory in use";
   BuildLimits low(3'000'000, 0, "points");
-  low.set_model([] { return WholeCost{0, 1}; });
+  low.set_model([](double) { return WholeCost{0, 1}; });
   low.count_items(false);
   const std::string text = error_of(low).what();
   EXPECT_THAT(text, HasSubstr("stopped at the limit of 3 MB while cells were made"));

@@ -5,6 +5,9 @@
 
 #include "forecast/growth.hpp"
 #include "forecast/lattice_points.hpp"
+#include "forecast/memory_warning.hpp"
+#include "forecast/model/tiles_share.hpp"
+#include "forecast/sampling.hpp"
 #include "forecast/speed.hpp"
 #include "messages/readable.hpp"
 #include "scale.hpp"
@@ -20,6 +23,8 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace delone {
@@ -72,6 +77,102 @@ TEST(Forecast, AllKinds) {
         EXPECT_EQ(estimated.affine_dimension, t.affine_dimension()) << what;
       }
     }
+}
+
+bool contains(const ForecastQuantity& range, double x) { return range.low <= x && x <= range.high; }
+
+TEST(Forecast, ManyDimensions) {
+  if (test::scale() == test::Scale::small) GTEST_SKIP() << "some seconds in a slow build";
+  for (const auto& [d, n] : {std::pair{9, 32}, {10, 28}, {11, 24}, {12, 24}, {15, 23}}) {
+    const std::vector<double> points = make_point_set("uniform", d, static_cast<std::size_t>(n), 7);
+    const auto cells = static_cast<double>(Delaunay<>(points, d).num_finite_cells());
+    const Forecast forecasted = forecast(d, static_cast<std::size_t>(n));
+    expect_close(forecasted.cells, cells, std::to_string(d) + "D");
+    EXPECT_TRUE(contains(forecasted.cells, cells)) << d;
+  }
+  // These take minutes.
+  for (const auto& [d, n, cells] : {std::tuple{9, 128, 1475837.0}, {10, 100, 2415858.0}, {12, 48, 940858.0}})
+    EXPECT_TRUE(contains(forecast(d, static_cast<std::size_t>(n)).cells, cells)) << d;
+}
+
+/// The closed form, samples and what a limit says are one forecast.
+TEST(Forecast, ForecastsAgree) {
+  if (test::scale() == test::Scale::small) GTEST_SKIP() << "some seconds in a slow build";
+  for (const auto& [d, n] : {std::pair{3, 200000}, {6, 20000}, {8, 2000}, {10, 1000}, {12, 1000}}) {
+    const std::vector<double> points = make_point_set("uniform", d, static_cast<std::size_t>(n), 7);
+    const Forecast closed = forecast(d, static_cast<std::size_t>(n)), sampled = estimate(points, d);
+    for (const auto member : {&Forecast::cells, &Forecast::bytes}) {
+      EXPECT_TRUE(contains(closed.*member, (sampled.*member).expected)) << d << "D";
+      EXPECT_TRUE(contains(sampled.*member, (closed.*member).expected)) << d << "D";
+    }
+    EXPECT_LT(closed.bytes.high / closed.bytes.low, 6) << d << "D";
+    EXPECT_LT(sampled.bytes.high / sampled.bytes.low, 40) << d << "D";
+  }
+}
+
+TEST(Forecast, NoSampleIsWorkWithoutBounds) {
+  // A thousand and three points in a thousand dimensions take hours.
+  const std::vector<double> points = make_point_set("uniform", 1000, 1100, 7);
+  const Forecast found = estimate(points, 1000);
+  EXPECT_EQ(found.num_sampled, 0u);
+  EXPECT_GE(found.seconds.high / found.seconds.low, 100);
+  const auto code = [&] {
+    try {
+      estimate(points, 1000, {.progress = [](double) { return false; }});
+    } catch (const Error& error) {
+      return error.code();
+    }
+    return Errc::unsupported;
+  };
+  EXPECT_EQ(code(), Errc::cancelled);
+}
+
+TEST(Forecast, WithoutTimeForASampleTheRangeSaysSo) {
+  cost_model::SampledSet set;
+  set.dimension = 4;
+  set.num_points = 100000;
+  set.most = 100000;
+  set.num_distinct = 100000;
+  set.sample = [](std::size_t m) { return make_point_set("moment", 4, m, 7); };
+  set.spent = 1000;
+  const Forecast none = cost_model::forecast_by_samples(set, {});
+  EXPECT_EQ(none.num_sampled, 0u);
+  EXPECT_GE(none.cells.high / none.cells.low, 100);
+  EXPECT_TRUE(contains(none.cells, forecast(4, 100000).cells.expected));
+}
+
+TEST(Forecast, WarnsOfMemoryThatIsNotThere) {
+  const Forecast large = forecast(3, 1000000);
+  EXPECT_EQ(cost_model::memory_warning(large, 1.01 * large.bytes.expected), "");
+  EXPECT_EQ(cost_model::memory_warning(large, 0), "");  // not known
+  const std::string text = cost_model::memory_warning(large, 1e8);
+  EXPECT_NE(text.find("about " + messages::readable_bytes(large.bytes.expected)), std::string::npos) << text;
+  EXPECT_NE(text.find("100 MB are available; tiles of it would fit"), std::string::npos) << text;
+  EXPECT_EQ(cost_model::memory_warning(forecast(10, 1000), 1e9).find("tiles"), std::string::npos);
+  EXPECT_EQ(memory_warning(make_point_set("uniform", 3, 1000), 3), "");
+  EXPECT_NE(memory_warning(forecast(12, 100000)), "");  // no machine has that much
+}
+
+TEST(Forecast, ASmallSetIsNoReasonToAskForMemory) {
+  const auto must_not_ask = [] {
+    ADD_FAILURE();
+    return 1.0;
+  };
+  EXPECT_FALSE(cost_model::may_exceed(3, 20000, must_not_ask));
+  EXPECT_FALSE(cost_model::may_exceed(6, 200, must_not_ask));
+  EXPECT_TRUE(cost_model::may_exceed(6, 100000, [] { return 1e9; }));
+  EXPECT_FALSE(cost_model::may_exceed(6, 100000, [] { return 1e12; }));
+  EXPECT_FALSE(cost_model::may_exceed(6, 100000, [] { return 0.0; }));
+}
+
+TEST(Forecast, TilesPayWherePointsOfOtherTilesAreFew) {
+  EXPECT_TRUE(tiles_pay(3, 100000000, std::size_t{4} << 30));
+  EXPECT_TRUE(tiles_pay(4, 1000000, std::size_t{1} << 30));
+  EXPECT_FALSE(tiles_pay(3, 1000, std::size_t{4} << 30));  // they fit
+  EXPECT_FALSE(tiles_pay(6, 100000, std::size_t{1} << 30));
+  EXPECT_FALSE(tiles_pay(10, 1000, std::size_t{16} << 30));
+  EXPECT_FALSE(tiles_pay(10, 1000000, std::size_t{16} << 30));
+  EXPECT_EQ(cost_model::inner_faces(3, 1e6), 6);
 }
 
 TEST(Forecast, SamplesThatAreAllPointsGiveTheNumbersThemselves) {
