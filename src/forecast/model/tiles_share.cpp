@@ -17,7 +17,7 @@ double foreign_per_face(int k) {
 
 bool tiles_pay(int k, double points, double bytes, double memory) {
   constexpr double least_own = 100;
-  if (k < 1 || !(bytes > memory)) return false;
+  if (k < 1) return false;
   for (double tiles = 2; points / tiles >= least_own; tiles *= 1.25) {
     const double own = points / tiles,
                  share = foreign_per_face(k) * inner_faces(k, tiles) * std::pow(own, -1.0 / k);

@@ -168,7 +168,7 @@ TEST(Forecast, ASmallSetIsNoReasonToAskForMemory) {
 TEST(Forecast, TilesPayWherePointsOfOtherTilesAreFew) {
   EXPECT_TRUE(tiles_pay(3, 100000000, std::size_t{4} << 30));
   EXPECT_TRUE(tiles_pay(4, 1000000, std::size_t{1} << 30));
-  EXPECT_FALSE(tiles_pay(3, 1000, std::size_t{4} << 30));  // they fit
+  EXPECT_FALSE(tiles_pay(3, 1000, 1000));  // no tile is so small
   EXPECT_FALSE(tiles_pay(6, 100000, std::size_t{1} << 30));
   EXPECT_FALSE(tiles_pay(10, 1000, std::size_t{16} << 30));
   EXPECT_FALSE(tiles_pay(10, 1000000, std::size_t{16} << 30));
