@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import resource
 import subprocess
 import tempfile
 import unittest
@@ -103,6 +104,14 @@ class Limits(Case):
         text = self.complaint("hull", self.sphere, "--memory", "100MB", status=3)
         self.assertRegex(text, self.REACHED.format("100 MB"))
         self.assertNotIn("folder", text)
+
+    def test_a_limit_of_time_is_asked_in_many_dimensions(self):
+        """Ordering the points, or a sieve of them, takes seconds of processor time there."""
+        points = self.uniform(1000, 3000)
+        for command in ("delaunay", "hull"):
+            before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+            self.assertRegex(self.complaint(command, points, "--threads", "1", "--time", "0.1", status=3), self.REACHED.format("0.1 seconds"))
+            self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before, 1.5, command)
 
     def test_all_forecasts_agree(self):
         points = self.uniform(10, 1000)
