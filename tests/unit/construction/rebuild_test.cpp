@@ -11,8 +11,11 @@ namespace {
 
 constexpr std::size_t n = 40;
 
+/// The lower the row, the older its vertex.
 Delaunay<> to_rebuild() {
-  Delaunay<> t(make_point_set("uniform", 2, n, 1), 2);
+  Options options;
+  options.order = InsertionOrder::as_given;
+  Delaunay<> t(make_point_set("uniform", 2, n, 1), 2, options);
   t.record_changes();
   t.record_undo();
   return t;
