@@ -153,7 +153,7 @@ void leave_out(PointTable& table, const std::vector<std::size_t>& rows) {
       ++skipped;
       continue;
     }
-    if (!leaves) end = std::copy(from, from + width, end);
+    if (!leaves) end = end == from ? from + width : std::copy(from, from + width, end);
     from += width;
   }
   table.coordinates.erase(end, table.coordinates.end());

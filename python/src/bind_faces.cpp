@@ -146,13 +146,7 @@ class HeldAlpha {
     return result;
   }
   std::string html(const HtmlOptions& options) const {
-    Supervisor supervisor;
-    return supervisor.run([&] {
-      return held_->with_engine([&](const Triangulation&) {
-        if (held_->version() != version_) throw has_changed();
-        return to_html(complex_->to_data(), options);
-      });
-    });
+    return ask_complex([&] { return to_html(complex_->to_data(), options); });
   }
   std::string repr() const {
     return "<delone.AlphaComplex: " + std::to_string(size()) + " cells, " +

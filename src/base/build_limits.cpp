@@ -78,8 +78,11 @@ WholeCost extrapolated(const std::vector<Passed>& passed, const CostModel& model
       if (!(to >= least) || !std::isfinite(beside)) return;
       double seen = 0, slope = 0;
       if (from >= least && log_ratio > 0.1) {
-        seen = beside - std::log(from / (at_half.*member - none.*member));
-        slope = std::clamp(seen / log_ratio, -1.0, 1.0);
+        const double beside_at_half = std::log(from / (at_half.*member - none.*member));
+        if (std::isfinite(beside_at_half)) {
+          seen = beside - beside_at_half;
+          slope = std::clamp(seen / log_ratio, -1.0, 1.0);
+        }
       }
       // A slope may vanish at once or stay as it is: at most the middle, less if it is little more than
       // noise, and a range of both.

@@ -60,7 +60,8 @@ void require_tolerance_within(double tolerance, std::span<const double> points, 
 
 void refuse_tolerance(double tolerance, std::span<const double> per_axis, const std::string& what) {
   if (tolerance != 0 || !per_axis.empty())
-    throw Error(Errc::invalid_argument, what + " have no tolerance: Options::tolerance must be 0");
+    throw Error(Errc::invalid_argument,
+                what + " have no tolerance: Options::tolerance must be 0, and axis_tolerances empty");
 }
 
 void refuse_axis_tolerances(std::span<const double> per_axis, const std::string& what) {

@@ -2,6 +2,7 @@
 // The canonical hash of a triangulation as plain data, from any source.
 #include "complex/canonical_hash.hpp"
 
+#include "base/guarded.hpp"
 #include "base/progress_meter.hpp"
 
 #include <delone/data.hpp>
@@ -71,47 +72,49 @@ std::vector<complex::PointTag> weighted_tags(const ComplexData& data, complex::H
 }  // namespace
 
 CanonicalHash canonical_hash(const ComplexData& data, const Execution& how) {
-  const internal::ProgressMeter meter(how.progress);
-  const std::size_t n = data.num_points();
-  std::vector<complex::PointTag> tags(n);
-  complex::HashAccumulator hash;
-  if (data.weights.empty()) {
-    internal::for_parts(
-        how.threads, n, 16384, [&](std::size_t first, std::size_t last, const internal::StopPoint&) {
-          for (std::size_t row = first; row < last; ++row)
-            tags[row] = complex::point_tag(
-                data.points.data() + row * static_cast<std::size_t>(data.dimension), data.dimension);
-        });
-    if (std::find(data.vertex_of_point.begin(), data.vertex_of_point.end(), -1) ==
-        data.vertex_of_point.end()) {
-      add_distinct(tags, hash);
-    } else {  // hidden points do not count
-      std::vector<complex::PointTag> visible;
-      for (std::size_t row = 0; row < n; ++row)
-        if (row >= data.vertex_of_point.size() || data.vertex_of_point[row] >= 0)
-          visible.push_back(tags[row]);
-      add_distinct(visible, hash);
-    }
-  } else {
-    tags = weighted_tags(data, hash);
-  }
-  const std::size_t corners = static_cast<std::size_t>(data.affine_dimension + 1);
-  const auto add_cells = [&](std::size_t begin, std::size_t end, complex::HashAccumulator& some) {
-    for (std::size_t cell = begin; cell < end; ++cell) {
-      complex::PointTag sum;
-      for (std::size_t i = 0; i < corners; ++i) {
-        const SignedIndex row = data.cells[cell * corners + i];
-        if (row < 0 || static_cast<std::size_t>(row) >= n)
-          throw Error(Errc::invalid_argument, "cell " + std::to_string(cell) + " has the vertex " +
-                                                  std::to_string(row) + ", but there are " +
-                                                  std::to_string(n) + " points");
-        sum += tags[static_cast<std::size_t>(row)];
+  return internal::guarded("the hash", [&] {
+    const internal::ProgressMeter meter(how.progress);
+    const std::size_t n = data.num_points();
+    std::vector<complex::PointTag> tags(n);
+    complex::HashAccumulator hash;
+    if (data.weights.empty()) {
+      internal::for_parts(
+          how.threads, n, 16384, [&](std::size_t first, std::size_t last, const internal::StopPoint&) {
+            for (std::size_t row = first; row < last; ++row)
+              tags[row] = complex::point_tag(
+                  data.points.data() + row * static_cast<std::size_t>(data.dimension), data.dimension);
+          });
+      if (std::find(data.vertex_of_point.begin(), data.vertex_of_point.end(), -1) ==
+          data.vertex_of_point.end()) {
+        add_distinct(tags, hash);
+      } else {  // hidden points do not count
+        std::vector<complex::PointTag> visible;
+        for (std::size_t row = 0; row < n; ++row)
+          if (row >= data.vertex_of_point.size() || data.vertex_of_point[row] >= 0)
+            visible.push_back(tags[row]);
+        add_distinct(visible, hash);
       }
-      some.add_cell(sum);
+    } else {
+      tags = weighted_tags(data, hash);
     }
-  };
-  complex::add_in_parts(how.threads, data.num_cells(), hash, add_cells);
-  return hash.finish(data.dimension, data.affine_dimension);
+    const std::size_t corners = static_cast<std::size_t>(data.affine_dimension + 1);
+    const auto add_cells = [&](std::size_t begin, std::size_t end, complex::HashAccumulator& some) {
+      for (std::size_t cell = begin; cell < end; ++cell) {
+        complex::PointTag sum;
+        for (std::size_t i = 0; i < corners; ++i) {
+          const SignedIndex row = data.cells[cell * corners + i];
+          if (row < 0 || static_cast<std::size_t>(row) >= n)
+            throw Error(Errc::invalid_argument, "cell " + std::to_string(cell) + " has the vertex " +
+                                                    std::to_string(row) + ", but there are " +
+                                                    std::to_string(n) + " points");
+          sum += tags[static_cast<std::size_t>(row)];
+        }
+        some.add_cell(sum);
+      }
+    };
+    complex::add_in_parts(how.threads, data.num_cells(), hash, add_cells);
+    return hash.finish(data.dimension, data.affine_dimension);
+  });
 }
 
 }  // namespace delone

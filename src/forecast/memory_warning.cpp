@@ -7,7 +7,7 @@
 #include "forecast/model/tiles_share.hpp"
 #include "messages/readable.hpp"
 
-#include <algorithm>
+#include <delone/arithmetic.hpp>
 
 namespace delone {
 namespace cost_model {
@@ -40,10 +40,12 @@ std::string memory_warning(const Forecast& forecast, double available) {
 }  // namespace cost_model
 
 std::string memory_warning(const Forecast& forecast) {
+  const ArithmeticScope arithmetic;
   return cost_model::memory_warning(forecast, cost_model::available_bytes());
 }
 
 std::string memory_warning(const AnyPoints<>& points, int dimension, const ForecastOptions& options) {
+  const ArithmeticScope arithmetic;
   internal::require_dimension(dimension);
   points.require_dimension(dimension);
   const std::size_t n = points.coordinates().size() / static_cast<std::size_t>(dimension);
@@ -52,6 +54,7 @@ std::string memory_warning(const AnyPoints<>& points, int dimension, const Forec
 }
 
 bool tiles_pay(int dimension, std::size_t num_points, std::size_t memory) {
+  const ArithmeticScope arithmetic;
   internal::require_dimension(dimension);
   const auto n = static_cast<double>(num_points);
   return cost_model::tiles_pay(dimension, n, cost_model::cost_of_spread(dimension, n).bytes,

@@ -5,6 +5,7 @@
 #include "forecast/growth.hpp"
 #include "forecast/quantities.hpp"
 
+#include <delone/arithmetic.hpp>
 #include <delone/delaunay.hpp>
 #include <delone/error.hpp>
 
@@ -71,6 +72,7 @@ class Sampling {
     if (!(start < last)) return false;
     bool is_late = false;
     const auto goes_on = [&](double) {
+      const ArithmeticScope arithmetic;  // progress functions run in the state of the caller
       is_late = platform::thread_seconds() > last;
       return !is_late;
     };

@@ -115,13 +115,12 @@ Diagram::Diagram(const Triangulation& triangulation, const std::function<double(
     : dimension_(triangulation.dimension()),
       affine_dimension_(triangulation.affine_dimension()),
       kind_(kind_of_dual(triangulation.kind())) {
-  const ArithmeticScope arithmetic;
-  const internal::AxisScale scale(options.tolerance, options.axis_tolerances, dimension_);
-  tolerance_ = scale.tolerance();
-  axis_tolerances_ = scale.tolerances();
-  has_ridges_ = options.parts == DiagramParts::all || tolerance_ > 0;
   const internal::ProgressMeter meter(how.progress);
   internal::guarded("the diagram", [&] {
+    const internal::AxisScale scale(options.tolerance, options.axis_tolerances, dimension_);
+    tolerance_ = scale.tolerance();
+    axis_tolerances_ = scale.tolerances();
+    has_ridges_ = options.parts == DiagramParts::all || tolerance_ > 0;
     voronoi::VoronoiBuilder(triangulation, weight, how.threads, *this).run();
     if (tolerance_ > 0) simplify();
   });

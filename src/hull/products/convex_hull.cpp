@@ -238,7 +238,7 @@ ConvexHullBase::ConvexHullBase(int dimension, const Options& options) {
   const ArithmeticScope arithmetic;
   internal::require_dimension(dimension);
   internal::require_time_limit(options.time_limit);
-  impl_ = std::make_unique<Impl>(dimension, options);
+  impl_ = internal::guarded("the hull", [&] { return std::make_unique<Impl>(dimension, options); });
 }
 ConvexHullBase::ConvexHullBase(detail::Clone, const ConvexHullBase& other)
     : impl_(internal::guarded("the hull", [&] { return std::make_unique<Impl>(*other.impl_); })) {}

@@ -75,6 +75,22 @@ TEST(BuildLimits, TheModelAloneTellsWhereLittleHasPassed) {
   }
 }
 
+/// As where a model changes from one algorithm to another.
+TEST(BuildLimits, AModelThatGrowsLateOrFallsGivesNumbers) {
+  const std::vector<Passed> passed = grown_like(2, 0.3);
+  const double last = passed.back().fraction;
+  for (const double early : {0.0, -1.0}) {
+    const CostModel model = [=](double f) {
+      const double cost = f >= last ? f : early * f;
+      return WholeCost{1e9 * cost, cost, 1.2, 1.5};
+    };
+    const WholeCost whole = extrapolated(passed, model, 0);
+    EXPECT_NEAR(whole.bytes, passed.back().bytes / last, 1) << early;
+    EXPECT_NEAR(whole.seconds, passed.back().seconds / last, 1e-9) << early;
+    EXPECT_TRUE(std::isfinite(whole.bytes_factor) && std::isfinite(whole.seconds_factor)) << early;
+  }
+}
+
 TEST(BuildLimits, WhatHasHardlyChangedGoesOnAsItWas) {
   std::vector<Passed> passed;
   for (double f = 0.01; f < 0.1; f *= 1.05)
