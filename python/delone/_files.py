@@ -40,7 +40,7 @@ def read(path, *, format: Optional[str] = None, columns: Optional[Sequence[Union
         A name takes precedence over a number. By default all columns.
     skip_missing : bool, default False
         Leave out the rows of points in which a value is missing: NaN, blank, "NA", "-", or another word that pandas reads so, in
-        a column that is read. By default such rows are errors.
+        a column that is read. By default such rows are errors. Of an .off file the vertices are then read, also if it holds a result.
     threads : int, default 0
         The most threads that parse text; 0: one per core if the file is large enough to gain by it.
     frame : bool, default False
@@ -61,7 +61,7 @@ def read(path, *, format: Optional[str] = None, columns: Optional[Sequence[Union
     InputError
         If the file violates its format, or points are NaN or infinite. The message names the line, row or member.
     TypeError
-        If `frame` or `skip_missing` is true and the file holds a result.
+        If `frame` or `skip_missing` is true and the file holds a result; not for `skip_missing` and .off.
     ImportError
         If `frame` is true and pandas is missing.
 

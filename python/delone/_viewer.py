@@ -43,7 +43,7 @@ DOC = """Show {what} on an HTML page for a browser.
     -----
     The file appears whole or not at all. Columns keep their names. Positions are rounded to 2^24 steps along each axis; the
     page says by how much. Removed rows are left out. Cost: linear. A page holds 600 kB of program, and about 13 bytes for each
-    triangle or tetrahedron, 34 for a region of the plane and 200 for one of space: a million tetrahedra are a page of 13 MB. A
+    triangle or tetrahedron, 34 for a region of the plane and 210 for one of space: a million tetrahedra are a page of 13 MB. A
     browser opens some millions.
     """
 

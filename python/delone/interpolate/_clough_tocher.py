@@ -41,7 +41,7 @@ class CloughTocher2DInterpolator(OnTriangulation):
     fill_value : number
         The value outside the convex hull.
     grad : (npoints, c, 2) ndarray
-        The gradients at the (scaled) points, c numbers for each value; 0 at points that repeat earlier ones.
+        The gradients at the (scaled) points, two numbers for each of the c numbers of a value; 0 at points that repeat earlier ones.
 
     Raises
     ------
@@ -104,8 +104,8 @@ class CloughTocher2DInterpolator(OnTriangulation):
 
         Notes
         -----
-        They are the derivatives of what a call gives, and continuous; at the points they are `grad`. Rounded: in a thin triangle, by its
-        length over its height times more than the values.
+        They are the derivatives of what a call gives, and continuous; at the points they are `grad`, or with `rescale` `grad` divided by the
+        scale. In a thin triangle their rounding errors are larger than those of the values, by the ratio of its length to the height.
 
         Examples
         --------

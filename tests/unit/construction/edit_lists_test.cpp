@@ -18,7 +18,7 @@ using Numbers = std::vector<double>;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// RowNumbers in the plane, each at a vertex of its own; row 2 was removed.
+/// Rows in the plane, each at a vertex of its own; row 2 was removed.
 State state_of(std::size_t num_rows, kernel::RowForm form = kernel::RowForm::point) {
   State state(2, form, {});
   state.sites.add_rows(num_rows);
