@@ -171,6 +171,12 @@ def test_bad_points_are_value_errors_as_in_scipy(points):
                 getattr(module, cls)(points)
 
 
+@pytest.mark.parametrize("cls", ["Delaunay", "ConvexHull", "Voronoi"])
+def test_an_array_with_more_dimensions_is_named_by_their_number(cls):
+    with pytest.raises(ValueError, match="2 dimensions"):
+        getattr(spatial, cls)(np.ones((2, 3, 4)))
+
+
 def test_wrong_queries_are_value_errors_as_in_scipy():
     points = np.random.default_rng(1).random((10, 2))
     for tri in both(points):

@@ -91,8 +91,8 @@ def test_a_point_that_is_not_inside_is_a_qhull_error_as_in_scipy():
         with pytest.raises(ValueError):
             module.HalfspaceIntersection(np.ma.masked_array(halfspaces), np.array([0.5, 0.5]))
     grown = spatial.HalfspaceIntersection(halfspaces, [0.5, 0.5], incremental=True)
-    with pytest.raises(spatial.QhullError):
-        grown.add_halfspaces([[1, 0, -0.25]])
+    with pytest.raises(spatial.QhullError, match=r"feasible: .* strictly inside halfspace 1: \[1\.0, 0\.0, -0\.25\]"):
+        grown.add_halfspaces([[1, 0, -4], [1, 0, -0.25]])
     assert grown.nineq == 3 and len(grown.halfspaces) == 3
 
 

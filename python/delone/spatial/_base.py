@@ -47,7 +47,7 @@ def as_points(points, what: str = "points") -> np.ndarray:
         raise ValueError(f"Input {what} cannot be a masked array")
     points = np.ascontiguousarray(points, dtype=np.float64)
     if points.ndim != 2 or points.shape[1] < 1:
-        raise ValueError(f"{what} must be an array of shape (n, d), not {points.shape}")
+        raise ValueError(f"{what} must be an array with 2 dimensions, of shape (n, d), not {points.shape}")
     if len(points) == 0:
         raise ValueError(f"No {what} given")
     if not np.isfinite(points).all():

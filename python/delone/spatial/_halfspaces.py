@@ -122,11 +122,11 @@ class HalfspaceIntersection(Incremental):
                               "flat. flat='result' gives the intersection")
 
     def _rebuild(self, halfspaces):
-        with _not_inside():
+        with _not_inside(halfspaces):
             self._core = delone.HalfspaceIntersection(halfspaces, self.interior_point)
 
     def _extend(self, rows):
-        with _not_inside():
+        with _not_inside(rows):
             self._core.insert_range(rows)
 
     def _num_rows(self):
@@ -172,11 +172,15 @@ class HalfspaceIntersection(Incremental):
 
 
 class _not_inside:
-    """What the library says of an interior point that is not strictly inside is a QhullError, as in scipy."""
+    """What the library says of an interior point that is not strictly inside these halfspaces is a QhullError, as in scipy."""
+
+    def __init__(self, halfspaces):
+        self._halfspaces = halfspaces
 
     def __enter__(self):
         return self
 
     def __exit__(self, kind, error, traceback):
         if kind is not None and issubclass(kind, delone.InputError):
-            raise qhull_error(str(error)) from error
+            first = f": {self._halfspaces[error.rows[0]].tolist()}" if error.rows else ""
+            raise qhull_error(f"QH6023 not feasible: {error}{first}") from error
