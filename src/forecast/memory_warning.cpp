@@ -31,9 +31,9 @@ std::string memory_warning(const Forecast& forecast, double available) {
   std::string text = "the triangulation is expected to take about " +
                      messages::readable_bytes(bytes.expected) + " of memory (" +
                      messages::readable_bytes(bytes.low) + " to " + messages::readable_bytes(bytes.high) +
-                     "), and " + messages::readable_bytes(available) + " are available";
+                     "), but only " + messages::readable_bytes(available) + " is available";
   const auto n = static_cast<double>(forecast.num_points);
-  if (tiles_pay(forecast.affine_dimension, n, bytes.expected, available)) text += "; tiles of it would fit";
+  if (tiles_pay(forecast.affine_dimension, n, bytes.expected, available)) text += "; tiles would fit";
   return text;
 }
 

@@ -196,7 +196,7 @@ void Triangulation::Impl::undo() {
   require_idle();
   if (!last_edit)
     throw Error(Errc::invalid_argument,
-                "there is nothing to undo; only edits after record_undo() are taken back");
+                "there is nothing to undo; only edits after record_undo() can be undone");
   Changes made;
   if (recording.changes) {
     made = construction::Construction::changes_since(*state, *last_edit);

@@ -136,14 +136,14 @@ class Limits(Case):
     def test_a_warning_comes_before_the_work(self):
         points = self.path("points.npy")
         np.save(points, np.random.default_rng(0).random((3000, 12)))  # petabytes
-        warning = r"delone: warning: the triangulation is expected to take about \S+ [TPE]B of memory \(.*\), and \S+ \wB are available\n"
+        warning = r"delone: warning: the triangulation is expected to take about \S+ [TPE]B of memory \(.*\), but only \S+ \wB is available\n"
         for command in (["delaunay"], ["voronoi"]):
             process = subprocess.Popen([DELONE, *command, points], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
             self.addCleanup(process.wait)
             self.addCleanup(process.stderr.close)
             self.addCleanup(process.kill)
             self.assertRegex(process.stderr.readline(), warning)
-        self.assertIn("are available", self.output("forecast", points))
+        self.assertIn("is available", self.output("forecast", points))
         text = self.complaint("delaunay", points, "--time", "0.2", status=3)  # one line: the error says it
         self.assertRegex(text, self.REACHED.format("0.2 seconds"))
 

@@ -96,7 +96,7 @@ def test_a_wrapped_set_says_what_the_whole_takes():
 
 def test_a_set_larger_than_memory_is_a_warning():
     large = points_of(3000, 12)  # petabytes
-    with pytest.warns(RuntimeWarning, match=rf"expected to take about \S+ [TPE]B of memory \({BYTES} to {BYTES}\), and {BYTES} are available$"):
+    with pytest.warns(RuntimeWarning, match=rf"expected to take about \S+ [TPE]B of memory \({BYTES} to {BYTES}\), but only {BYTES} is available$"):
         with pytest.raises(delone.CancelledError):
             delone.Delaunay(large, progress=lambda fraction: False)
     with warnings.catch_warnings():

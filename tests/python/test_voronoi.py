@@ -139,7 +139,7 @@ def test_triangulations_of_another_kind():
         delone.Voronoi(delone.Regular([[0.0, 0.0]], [0.0]))
     with pytest.raises(TypeError, match="Regular"):
         delone.PowerDiagram(delone.Delaunay([[0.0, 0.0]]))
-    with pytest.raises(TypeError, match="needs 'weights'; Voronoi is without"):
+    with pytest.raises(TypeError, match="needs 'weights'; without weights it is a Voronoi()"):
         delone.PowerDiagram([[0.0, 0.0], [1.0, 0.0]])
 
 

@@ -20,7 +20,6 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The points of a lattice that `is_there` takes.
 template <class IsThere>
@@ -39,7 +38,7 @@ TEST(AlphaShape, PolygonsOfLatticesHaveEachEdgeOnce) {
   std::mt19937 random(3);
   for (int round = 0; round < 20; ++round) {
     const Delaunay<> t(lattice_where(2, 9, [&](int, int, int) { return random() % 4 != 0; }), 2);
-    for (const double square : {0.5, 0.625, 1.25, infinity}) {
+    for (const double square : {0.5, 0.625, 1.25, std::numeric_limits<double>::infinity()}) {
       const AlphaComplex complex = AlphaComplex::of_squared_radius(t, square);
       const Polygons polygons = delone::polygons(complex);
       const ComplexData data = t.to_data();
@@ -120,7 +119,7 @@ TEST(AlphaShape, FewPointsAndErrors) {
   EXPECT_THAT(polygons(AlphaComplex(none, 1)).rows, IsEmpty());
   EXPECT_EQ(polygons(AlphaComplex(none, 1)).size(), 0u);
   EXPECT_EQ(boundary_components(AlphaComplex(none, 1)).num_components(), 0u);
-  EXPECT_EQ(optimal_alpha_value(none), -infinity);
+  EXPECT_EQ(optimal_alpha_value(none), -std::numeric_limits<double>::infinity());
   const Delaunay<> segment(std::vector<double>{0, 0, 0, 0, 0, 2}, 3);
   EXPECT_THAT(boundary_components(AlphaComplex(segment, 1)).neighbors, ElementsAre(1, 0));
   EXPECT_EQ(test::code_of([&] { polygons(AlphaComplex(segment, 1)); }), Errc::unsupported);

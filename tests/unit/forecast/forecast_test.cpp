@@ -147,7 +147,7 @@ TEST(Forecast, WarnsOfMemoryThatIsNotThere) {
   EXPECT_EQ(cost_model::memory_warning(large, 0), "");  // not known
   const std::string text = cost_model::memory_warning(large, 1e8);
   EXPECT_NE(text.find("about " + messages::readable_bytes(large.bytes.expected)), std::string::npos) << text;
-  EXPECT_NE(text.find("100 MB are available; tiles of it would fit"), std::string::npos) << text;
+  EXPECT_NE(text.find("100 MB is available; tiles would fit"), std::string::npos) << text;
   EXPECT_EQ(cost_model::memory_warning(forecast(10, 1000), 1e9).find("tiles"), std::string::npos);
   EXPECT_EQ(memory_warning(make_point_set("uniform", 3, 1000), 3), "");
   EXPECT_NE(memory_warning(forecast(12, 100000)), "");  // no machine has that much

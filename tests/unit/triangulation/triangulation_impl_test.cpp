@@ -68,7 +68,7 @@ TEST(TriangulationImpl, RefusesWhatDoesNotFitAndStaysAsItWas) {
   t.undo();
   EXPECT_TRUE(t.has_row(7));
   EXPECT_EQ(message_of([&] { t.undo(); }),
-            "there is nothing to undo; only edits after record_undo() are taken back");
+            "there is nothing to undo; only edits after record_undo() can be undone");
 }
 
 TEST(TriangulationImpl, RefusesTheSameWithoutARecord) {
