@@ -474,7 +474,9 @@ TEST(VoronoiGeometry, ClippedRegionsShareTheirFaces) {
     for (const auto& [corners, of] : sides) {
       ASSERT_LE(of.size(), 2u);
       EXPECT_EQ(of[0].second, of.size() == 1 ? -1 : of[1].first);
-      if (of.size() == 2) EXPECT_EQ(of[1].second, of[0].first);
+      if (of.size() == 2) {
+        EXPECT_EQ(of[1].second, of[0].first);
+      }
     }
   }
 }
