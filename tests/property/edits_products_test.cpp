@@ -174,7 +174,7 @@ TYPED_TEST(ProductsOfEdited, Data) {
         EXPECT_EQ(both.renumbered({&data.vertex_of_point[row], 1}).front(),
                   right.vertex_of_point[static_cast<std::size_t>(both.to_fresh[row])]);
       }
-    // Files have no gaps.
+    // Files have no gaps; a page leaves removed rows out.
     auto without_gaps = both.edited.clone();
     without_gaps.compact_ids();
     const ComplexData closed = without_gaps.to_data();
@@ -191,7 +191,11 @@ TYPED_TEST(ProductsOfEdited, Data) {
           return error.what();
         }
       };
-      EXPECT_FALSE(error_of(data).empty()) << format;
+      if (format == "html") {
+        EXPECT_EQ(error_of(data), error_of(right));
+      } else {
+        EXPECT_FALSE(error_of(data).empty()) << format;
+      }
       EXPECT_EQ(error_of(closed), error_of(right)) << format;
       if (format != "npz" && format != "json") continue;
       EXPECT_EQ(canonical_hash(read_as<ComplexData>(path)), both.fresh.hash()) << format;
