@@ -77,7 +77,7 @@ def arrays(*items):
 def triangulations(x):
     t = delone.Delaunay(x)
     copy = pickle.loads(pickle.dumps(t))
-    t.insert_range(x[:3] * 1.0)
+    t.insert_range(x[:3].copy())
     t.remove([1, 4])
     regular = delone.Regular(x, x[:, 0].copy())
     furthest = delone.FurthestSite(x)
@@ -130,8 +130,9 @@ def files(x):
 
 
 def of_scipy(x):
+    """But equations of hulls, which NumPy computes in the state of the thread."""
     t, hull, v = spatial.Delaunay(x), spatial.ConvexHull(x), spatial.Voronoi(x)
-    return arrays(t.simplices, t.transform, t.find_simplex(x), hull.equations, hull.volume, hull.area, v.vertices, v.ridge_points)
+    return arrays(t.simplices, t.transform, t.find_simplex(x), hull.simplices, hull.volume, hull.area, v.vertices, v.ridge_points)
 
 
 def interpolation(x):

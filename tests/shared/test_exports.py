@@ -31,7 +31,7 @@ def declared(headers):
         for found in re.finditer(r"\b(?:class|struct) DELONE_EXPORT (\w+)[^{;]*\{", text):
             body = text[found.end() - 1:bracketed(text, found.end() - 1, "{}")]
             classes[found[1]] = set(re.findall(r"([\w~]+|operator\W+)\s*\(", body)) | {"operator="}
-        for found in re.finditer(r"^DELONE_EXPORT (?!class|struct)[^;{(]*?(\w+)\(", text, re.M):
+        for found in re.finditer(r"^DELONE_EXPORT (?!class|struct|friend)[^;{(]*?\b(\w+|operator\W+)\(", text, re.M):
             functions.add(found[1])
         for found in re.finditer(r"^ *DELONE_EXPORT friend [^;(]*?\b(operator\W+)\(", text, re.M):
             functions.add(name_of(found[1]))
