@@ -130,8 +130,8 @@ def files(x):
 
 
 def of_scipy(x):
-    """But equations of hulls, which NumPy computes in the state of the thread."""
-    t, hull, v = spatial.Delaunay(x), spatial.ConvexHull(x), spatial.Voronoi(x)
+    """But default tolerances and equations of hulls, which Python and NumPy compute in the state of the thread."""
+    t, hull, v = spatial.Delaunay(x), spatial.ConvexHull(x, tolerance=0), spatial.Voronoi(x, tolerance=0)
     return arrays(t.simplices, t.transform, t.find_simplex(x), hull.simplices, hull.volume, hull.area, v.vertices, v.ridge_points)
 
 
