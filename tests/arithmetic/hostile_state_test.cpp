@@ -226,7 +226,8 @@ TEST(HostileState, Delaunay) {
 
 TEST(HostileState, Threads) {
   const auto all = sets(3000, 3);
-  for (const auto& [name, points] : all)
+  for (const auto& [name, points] : all) {
+    if (name != "subnormal" && name != "usual") continue;  // many exact tests of the others take a minute
     expect_same("four threads: " + name, [&, &points = points](Digest& digest) {
       Delaunay<> t(points, 3, {.threads = 4});
       t.sort_cells();
@@ -237,6 +238,7 @@ TEST(HostileState, Threads) {
       PointLocator(t).nearest(points, [&](std::size_t q, VertexId v) { nearest[q] = v; }, {.threads = 4});
       digest.add(nearest);
     });
+  }
 }
 
 TEST(HostileState, RegularAndPowerDiagram) {
