@@ -129,6 +129,10 @@ packages:             ## build Debian packages of the committed tree in build/pa
 	tools/install_dependencies.sh packages
 	tools/debian_packages.py
 
+trixie:               ## build a wheel of the committed tree in a Debian 13 in build/trixie, and run the Python tests and SciPy's own there (as root)
+	tools/install_dependencies.sh packages
+	tools/other_debian.py trixie
+
 bench: python         ## time the standard constructions, in some minutes
 	tools/install_dependencies.sh bench
 	python3 benchmarks/construction.py build/release/delone

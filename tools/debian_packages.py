@@ -6,7 +6,7 @@ Usage: debian_packages.py [--keep] [--build-only] [OUTPUT]
 
 In OUTPUT, build/packages if not given: the tree with packaging/debian as its folder debian, built by dpkg-buildpackage,
 through ccache where that is installed; the packages, which lintian has to find clean; and a Debian of this machine's release,
-made by mmdebstrap, in which they are installed with what they depend on and the tests of packaging/debian/tests run. That system is
+made by tools/clean_system.py, in which they are installed with what they depend on and the tests of packaging/debian/tests run. That system is
 deleted afterwards, if --keep is not given. Needs root, a Debian, and a mirror in /etc/apt.
 """
 import argparse
@@ -18,13 +18,10 @@ import subprocess
 import sys
 import time
 
+import clean_system
+from clean_system import run
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-SOURCES = "/etc/apt/sources.list.d/debian.sources"
-
-
-def run(*command, **more):
-    print("+", *command, flush=True)
-    return subprocess.run([str(word) for word in command], check=True, **more)
 
 
 def said(*command):
@@ -64,10 +61,7 @@ def tests_in(tree):
 
 def try_in_clean_system(tree, packages, keep):
     root = tree.parent / "root"
-    shutil.rmtree(root, ignore_errors=True)
-    mirror = [SOURCES] if os.path.exists(SOURCES) else []
-    release = re.search(r"^VERSION_CODENAME=(\w+)", pathlib.Path("/etc/os-release").read_text(encoding="utf-8"), re.M)[1]
-    run("mmdebstrap", "--quiet", "--variant=minbase", release, root, *mirror)
+    clean_system.make(root)
     (root / "packages").mkdir()
     for package in packages:
         shutil.copy2(package, root / "packages")
@@ -77,7 +71,7 @@ def try_in_clean_system(tree, packages, keep):
     (root / "etc/apt/sources.list.d/packages.list").write_text("deb [trusted=yes] file:/packages ./\n", encoding="utf-8")
     for rule in root.glob("etc/dpkg/dpkg.cfg.d/*"):  # manuals are looked for
         rule.unlink()
-    inside = ["chroot", root, "env", "-i", "PATH=/usr/sbin:/usr/bin:/sbin:/bin", "HOME=/root", "LC_ALL=C.UTF-8", "DEBIAN_FRONTEND=noninteractive"]
+    inside = clean_system.inside(root)
     install = [*inside, "apt-get", "-qq", "install", "--yes", "--no-install-recommends"]
     names = [package.name.partition("_")[0] for package in packages]
     with open(tree.parent / "install.log", "w", encoding="utf-8") as log:

@@ -27,6 +27,7 @@ KINDS = {
     "tsan": "ThreadSanitizer, tests with threads",
     "mpi": "tests of delone::mpi at full size",
     "wheels": "source distribution, wheel, clean environment",
+    "trixie": "Debian 13: Python 3.13, NumPy 2, g++ 14",
     "packages": "Debian packages in a clean system",
     "browser": "the site in Chromium",
 }
