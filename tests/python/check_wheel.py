@@ -147,6 +147,7 @@ def main():
         sdist, = (folder / "dist").iterdir()
         check_sdist(sdist, version)
         with tarfile.open(sdist) as archive:
+            archive.extraction_filter = getattr(tarfile, "data_filter", None)  # what Python 3.14 does by itself
             archive.extractall(folder)
         source = folder / f"delone-{version}"
         building.update({"CCACHE_BASEDIR": str(source), "CCACHE_NOHASHDIR": "1"})  # the same objects in any folder
