@@ -53,7 +53,10 @@ if(DELONE_FETCH_DEPENDENCIES STREQUAL "OFF")
 endif()
 
 if(NOT DELONE_FETCH_DEPENDENCIES STREQUAL "ALL")
-  find_package(Boost 1.70 ${delone_required})
+  find_package(Boost 1.70 CONFIG QUIET)  # CMake 3.30 warns of its own module
+  if(NOT Boost_FOUND)
+    find_package(Boost 1.70 ${delone_required})
+  endif()
   find_package(hwy ${delone_required})
   find_package(fmt ${delone_required})
   find_package(nlohmann_json ${delone_required})
