@@ -2,6 +2,7 @@
 """Files, checks and point sets, as the command has them."""
 from __future__ import annotations
 
+import inspect
 import os
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
@@ -243,11 +244,12 @@ def _destination(path, format: Optional[str], qhull: Optional[str]) -> Tuple[byt
     return os.fsencode(path), text(format or "", "format"), None if qhull is None else text(qhull, "qhull")
 
 
-save_diagram.__doc__ = save.__doc__.replace("""    qhull : str, optional
-""", """    box : (low, high), optional
-        Clip the regions of svg and vtu to this box, two arrays (d,). By default to `bounding_box()`.
-    qhull : str, optional
-""").replace("are both given.", "are both given, or if `box`\n        is given for another format.")
+# Python 3.13 takes the indentation of docstrings away by itself.
+save_diagram.__doc__ = (inspect.cleandoc(save.__doc__) + "\n").replace("""qhull : str, optional
+""", """box : (low, high), optional
+    Clip the regions of svg and vtu to this box, two arrays (d,). By default to `bounding_box()`.
+qhull : str, optional
+""").replace("are both given.", "are both given, or if `box`\n    is given for another format.")
 
 
 def to_data(self) -> Data:
