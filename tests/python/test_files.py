@@ -204,7 +204,7 @@ def test_complex_data():
         arrays = [value for value in each.members.values() if isinstance(value, np.ndarray)]
         assert len(arrays) == 5 and not any(array.flags.writeable for array in arrays)
     for arguments, text in (((POINTS, t.cells * 1.5), "cells: whole numbers, not float64"),
-                            ((POINTS, t.cells + 2**40), r"cells: \d+ is beyond the range of int32"),
+                            ((POINTS, t.cells.astype(np.int64) + 2**40), r"cells: \d+ is beyond the range of int32"),
                             ((POINTS[:, :2], t.cells), "cells: 4 vertices each"), ((POINTS[0], t.cells), r"points: an array of shape \(…, …\), not \(3,\)"),
                             ((POINTS, t.cells, t.neighbors[1:]), "neighbors: an array of shape"),
                             ((POINTS, t.cells, None, [0]), r"vertex_of_point: an array of shape \(30,\)"),
@@ -273,7 +273,7 @@ def test_check_of_anybodys_triangulation():
                 lambda: delone.check(POINTS, [0, 1, 2]), lambda: delone.check(POINTS[:, :2], t.cells),
                 lambda: delone.check(delone.ConvexHull(POINTS), canonical=True), lambda: delone.check(5),
                 lambda: delone.check(t, neighbors=t.neighbors),
-                lambda: delone.check(POINTS, t.cells + 2**40), lambda: delone.check(POINTS, t.cells, neighbors=t.neighbors[:, :2])):
+                lambda: delone.check(POINTS, t.cells.astype(np.int64) + 2**40), lambda: delone.check(POINTS, t.cells, neighbors=t.neighbors[:, :2])):
         with pytest.raises((ValueError, TypeError)):
             bad()
 
