@@ -471,8 +471,10 @@ TEST(HostileState, Files) {
 }
 
 TEST(HostileState, Forecasts) {
-  for (const char* const kind : {"uniform", "sphere"})
-    expect_same("forecast", [&](Digest& digest) { digest.add(forecast(3, 100000, kind).cells.expected); });
+  expect_same("forecast", [](Digest& digest) { digest.add(forecast(3, 100000, "uniform").cells.expected); });
+  // Of larger sets the size of the samples depends on time.
+  expect_same("forecast from samples",
+              [](Digest& digest) { digest.add(forecast(3, 300, "sphere").cells.expected); });
   for (const auto& [name, points] : sets(300, 2))
     expect_same("estimate of " + name, [&, &points = points](Digest& digest) {
       digest.add(estimate(points, 2, {.sample_seconds = 100}).cells.expected);
