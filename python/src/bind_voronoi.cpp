@@ -349,7 +349,8 @@ void bind_voronoi(py::module_& module) {
   py::class_<HeldPower, HeldDiagram>(module, "PowerDiagram", text(docs::voronoi::power))
       .def(py::init([](const py::object& points, const py::object& weights, const py::object& tolerance) {
              if (weights.is_none() && !py::isinstance<HeldTriangulation>(points))
-               throw py::type_error("PowerDiagram() of points needs 'weights'; without weights it is a Voronoi()");
+               throw py::type_error(
+                   "PowerDiagram() of points needs 'weights'; without weights it is a Voronoi()");
              const py::object source = py::isinstance<HeldTriangulation>(points)
                                            ? points
                                            : py::module_::import("delone").attr("Regular")(points, weights);
