@@ -96,7 +96,7 @@ class Shape {
   internal::UnionFind joined_;
 };
 
-/// Numbers 0, 1, … for roots, in the order in which they are asked for.
+/// Numbers roots 0, 1, …, each when it is first asked for.
 class Numbering {
  public:
   explicit Numbering(std::size_t n) : numbers_(n, -1) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Outputs by their names: in the order asked for, between any commas and blanks; and lists of numbers.
+// Parsing of Qhull's output names (separated by commas or blanks, order kept) and of lists of numbers.
 #include "io/complexes/qhull_outputs.hpp"
 
 #include "../io_support.hpp"
