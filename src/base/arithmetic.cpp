@@ -100,7 +100,6 @@ CallersArithmetic::CallersArithmetic() noexcept
   if (of_caller_ != nullptr) set_state(*of_caller_);
 }
 CallersArithmetic::~CallersArithmetic() {
-  if (of_caller_ != nullptr) *of_caller_ = state();
   callers_state = of_caller_;
   set_state(state_);
 }

@@ -14,7 +14,7 @@
 namespace delone::internal {
 
 /// While it lives, the thread is in the state of the caller of the library again, for functions of the user.
-/// What these change of it is the caller's from then on.
+/// What these change of it lasts until they return.
 class CallersArithmetic {
  public:
   CallersArithmetic() noexcept;

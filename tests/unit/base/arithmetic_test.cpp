@@ -55,7 +55,7 @@ TEST_F(RoundsUpward, FunctionsOfTheUserRunInTheStateOfTheCaller) {
   EXPECT_EQ(std::fegetround(), FE_TONEAREST);
 }
 
-TEST_F(RoundsUpward, TheUserMayChangeItsState) {
+TEST_F(RoundsUpward, WhatTheUserSetsLastsUntilItsFunctionReturns) {
   {
     const ArithmeticScope scope;
     {
@@ -64,7 +64,7 @@ TEST_F(RoundsUpward, TheUserMayChangeItsState) {
     }
     EXPECT_EQ(std::fegetround(), FE_TONEAREST);
   }
-  EXPECT_EQ(std::fegetround(), FE_DOWNWARD);
+  EXPECT_EQ(std::fegetround(), FE_UPWARD);
 }
 
 TEST(CallersArithmetic, OutsideOfScopesItChangesNothing) {
