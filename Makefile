@@ -42,19 +42,11 @@ demo:                 ## triangulate, check and draw three real data sets
 	cmake --build --preset release -j $(jobs) --target delone_cli
 	tools/demo.sh build/release build/demo
 
-test: test-release test-fuzz  ## run all tests, then the fuzz tests under sanitizers
-
-test-release:         ## run all tests of a release build
+test:                 ## run all tests of a release build
 	tools/install_dependencies.sh test
 	cmake --preset test $(launcher)
 	cmake --build --preset test -j $(jobs)
 	ctest --preset test
-
-test-fuzz:            ## replay the inputs of the fuzz tests under clang's AddressSanitizer and UndefinedBehaviorSanitizer
-	tools/install_dependencies.sh test clang
-	cmake --preset asan $(launcher)
-	cmake --build --preset asan-fuzz -j $(jobs)
-	ctest --preset asan-fuzz
 
 fuzz:                 ## run every fuzz target under sanitizers for five minutes; FUZZ_SECONDS=60: for one minute
 	tools/install_dependencies.sh test clang

@@ -229,13 +229,11 @@ int run(int argc, char** argv) {
       {"delone view points.csv -o page.html", "delone view cells.npz --title Cells -o cells.html",
        "delone view table.csv --values w --of voronoi -o areas.html"});
   app.footer(
-      "Points are read from .npy .csv .tsv .txt .xyz .pts .off .ply .pdb .las files, or in Qhull's form "
-      "from\n"
-      "standard input (-); any of them may be compressed (.csv.gz). 'delone help COMMAND' or 'delone COMMAND "
-      "--help'\nshows the options of a command, with examples.\n"
-      "Exit status: 0 success, 1 a check failed, 2 bad input or output, 3 too large for memory or a limit, "
-      "64 "
-      "wrong usage,\n130 or 143 interrupted, 141 standard output closed.");
+      "Points are read from .npy .csv .tsv .txt .xyz .pts .off .ply .pdb .las files, or in Qhull's form\n"
+      "from standard input (-); any of them may be compressed (.csv.gz). 'delone help COMMAND' or\n"
+      "'delone COMMAND --help' shows the options of a command, with examples.\n"
+      "Exit status: 0 success, 1 a check failed, 2 bad input or output, 3 too large for memory or a limit,\n"
+      "64 wrong usage, 130 or 143 interrupted, 141 standard output closed.");
   add_examples(app, {"delone generate uniform -d 2 -n 1000 -o random.csv",
                      "delone delaunay random.csv -o random.svg", "delone help delaunay"});
 

@@ -309,8 +309,8 @@ void bind_convex_hull(py::module_& module) {
           text(docs::convex_hull::axis_tolerances))
       .def_property_readonly("max_distance", asking([](const ConvexHullBase& h) { return h.max_distance(); }),
                              "A bound, rounded up, on the distance of points outside the hull; at most "
-                             "`tolerance`. If axes have "
-                             "tolerances of their own, as along the axis of the largest.")
+                             "`tolerance`. If axes have tolerances of their own, as along the axis of the "
+                             "largest.")
       .def_property_readonly(
           "axes",
           [](const HeldHull& h) {

@@ -103,8 +103,7 @@ bool may_be_flat(const Points& points, const std::vector<double>& tolerances) {
 void bind_rounding(py::module_& module) {
   module.def("_column_sizes", &column_sizes, "points"_a, "largest"_a,
              "Of each column the largest |coordinate|, which is given, or the second largest if that is less "
-             "than half of it; "
-             "at most 4096 times the median of those that are not 0.");
+             "than half of it; at most 4096 times the median of those that are not 0.");
   module.def(
       "_may_be_flat", &may_be_flat, "points"_a, "tolerances"_a,
       "Whether points may be within the tolerances of the axes of a flat of fewer dimensions; if not, they "

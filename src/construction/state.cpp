@@ -162,8 +162,11 @@ void State::find_cells_of_vertices(const Complex& now) {
     } catch (const std::bad_alloc&) {  // of threads, before they have begun: one does it
     }
   if (!is_done)
-    for (const CellId c : now.all_cells())
+    for (Index slot = 0; slot < now.num_cell_slots(); ++slot) {
+      const CellId c{slot};
+      if (!now.is_cell(c)) continue;
       for (int i = 0; i <= now.affine_dimension(); ++i) cell_of_vertex[index(now.vertex(c, i))] = c;
+    }
   num_vertices = static_cast<Index>(
       cell_of_vertex.size() - 1 -
       static_cast<std::size_t>(std::count(cell_of_vertex.begin() + 1, cell_of_vertex.end(), invalid_cell)));
