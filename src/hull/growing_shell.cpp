@@ -21,6 +21,7 @@ namespace {
 
 constexpr double unit = kernel::unit_roundoff;
 constexpr double absolute = 0x1p-500;
+constexpr int most_steps = 100;  // of a walk
 
 }  // namespace
 
@@ -101,13 +102,14 @@ bool GrowingShell::is_possible() {
          shell().boundary() != nullptr && boundary().has_center() && boundary().engine() != nullptr;
 }
 
-bool GrowingShell::run(std::size_t most_vertices) {
+bool GrowingShell::run(const Limits& limits) {
   constexpr int most_rounds = 64;
   for (std::size_t i = 0; i < sieve_.num_remaining(); ++i)
     if (!sieve_.is_in_shell(i)) open_.push_back(i);
   for (int round = 0; !open_.empty(); ++round) {
     alive_();
-    if (round == most_rounds || sieve_.shell_rows().size() > most_vertices) return false;
+    if (round == most_rounds || sieve_.shell_rows().size() > limits.vertices || products_ > limits.products)
+      return false;
     cover();
     if (!open_.empty() && !extend()) return false;
   }
@@ -120,7 +122,12 @@ std::size_t GrowingShell::cell_of(std::size_t point_number) {
     cones_ = std::make_unique<Cones>(shell(), boundary().center().data());
     cell_ = 0;
   }
-  walk(*cones_, point(point_number));
+  set_out_for(point(point_number));
+  for (int step = 0; step < most_steps; ++step) {
+    const std::size_t least = weigh(*cones_);
+    if (weights_[least] >= 0) break;
+    cell_ = across(*cones_, least, step);
+  }
   return cell_;
 }
 
@@ -147,31 +154,45 @@ double GrowingShell::distance_up(const Cones& cones, std::size_t cell) {
          absolute;
 }
 
-/// Walks to the cone of a point and returns a bound on its distance; cell_ is where it ends.
-double GrowingShell::walk(Cones& cones, const double* p) {
-  constexpr int most_steps = 100;
+/// The next walk goes to this point.
+void GrowingShell::set_out_for(const double* p) {
   const double* const center = boundary().center().data();
   for (std::size_t j = 0; j < d_; ++j) difference_[j] = p[j] - center[j];
+}
+
+/// Sets weights_ to those of the point in the cone where the walk is, and sum_; returns the least of them.
+std::size_t GrowingShell::weigh(Cones& cones) {
+  const double* const inverse = cones.inverse(cell_);
+  std::size_t least = 0;
+  sum_ = 0;
+  for (std::size_t i = 0; i < d_; ++i) {
+    double w = 0;
+    for (std::size_t j = 0; j < d_; ++j) w += inverse[i * d_ + j] * difference_[j];
+    weights_[i] = w;
+    sum_ += w;
+    if (!(w >= weights_[least])) least = i;
+  }
+  return least;
+}
+
+/// Where a walk goes on, after so many steps. Flat cones lead nowhere in particular.
+std::size_t GrowingShell::across(const Cones& cones, std::size_t least, int step) const {
+  const bool is_flat = !(sum_ > -internal::infinity && sum_ < internal::infinity);
+  return cones.hull().neighbors_of(cell_)[is_flat ? static_cast<std::size_t>(step) % d_ : least];
+}
+
+/// Walks to the cone of a point and returns a bound on its distance; cell_ is where it ends.
+double GrowingShell::walk(Cones& cones, const double* p) {
+  set_out_for(p);
   double best = internal::infinity;
   for (int step = 0; step < most_steps; ++step) {
-    const double* const inverse = cones.inverse(cell_);
-    std::size_t least = 0;
-    for (std::size_t i = 0; i < d_; ++i) {
-      double w = 0;
-      for (std::size_t j = 0; j < d_; ++j) w += inverse[i * d_ + j] * difference_[j];
-      weights_[i] = w;
-      if (!(w >= weights_[least])) least = i;
-    }
-    sum_ = std::accumulate(weights_.begin(), weights_.end(), 0.0);
+    const std::size_t least = weigh(cones);
     const bool is_in_cone = weights_[least] >= 0;
     if (weights_[least] > -0x1p-20) {
       best = std::min(best, distance_up(cones, cell_));
       if (best <= tolerance_ || is_in_cone) return best;
     }
-    // Flat cones lead nowhere in particular.
-    const std::size_t across =
-        sum_ > -internal::infinity && sum_ < internal::infinity ? least : static_cast<std::size_t>(step) % d_;
-    cell_ = cones.hull().neighbors_of(cell_)[across];
+    cell_ = across(cones, least, step);
   }
   return best;
 }
@@ -219,6 +240,7 @@ bool GrowingShell::extend() {
   for (const std::size_t i : open_) points.insert(points.end(), point(i), point(i) + d_);
   std::vector<std::size_t> farther;
   for (const bool tilted : {true, false}) {
+    products_ += open_.size() * functions.size();
     const std::vector<std::size_t> farthest = sieve_.extremes_among(points, functions, tilted);
     for (std::size_t f = 0; f < farthest.size(); ++f) {
       if (farthest[f] == Extreme::nowhere) continue;

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -17,6 +18,12 @@ namespace delone::hull {
 /// in binary64, and no exact predicate is asked but by insertions. Points are remaining rows of the sieve.
 class GrowingShell {
  public:
+  struct Limits {
+    std::size_t vertices = std::numeric_limits<std::size_t>::max();  ///< of the shell
+    std::size_t products =
+        std::numeric_limits<std::size_t>::max();  ///< of points beyond and functions of cells
+  };
+
   /// The sieve has a shell, and outlives this object. `alive` is called once in a while, and may throw.
   GrowingShell(PointSieve& sieve, double tolerance, std::function<void()> alive);
   ~GrowingShell();
@@ -24,12 +31,14 @@ class GrowingShell {
   /// Whether squares of coordinates neither overflow nor underflow where that matters, and there is a point
   /// inside.
   bool is_possible();
-  /// Grows while the number of the shell's vertices is at most `most_vertices`. Returns false if not all
-  /// points could be covered. REQUIRES is_possible().
-  bool run(std::size_t most_vertices);
+  /// Grows until all points are covered. Returns false if they could not be, or a limit is reached.
+  /// REQUIRES is_possible().
+  bool run(const Limits& limits);
 
   /// After run(): the points that are not vertices and not certainly in the interior, increasing.
   const std::vector<std::size_t>& covered() const { return covered_; }
+  /// If run() returned false: those that are not covered.
+  const std::vector<std::size_t>& open() const { return open_; }
   /// A cell of the shell with a point in its cone, up to rounding; any cell if the walk fails.
   std::size_t cell_of(std::size_t point);
 
@@ -40,6 +49,9 @@ class GrowingShell {
   HullState& shell() { return sieve_.shell(); }
   const Boundary& boundary() { return *shell().boundary(); }
   double distance_up(const Cones& cones, std::size_t cell);
+  void set_out_for(const double* p);
+  std::size_t weigh(Cones& cones);
+  std::size_t across(const Cones& cones, std::size_t least, int step) const;
   double walk(Cones& cones, const double* p);
   void cover();
   bool extend();
@@ -55,6 +67,7 @@ class GrowingShell {
   std::unique_ptr<Cones> cones_;  // of the shell as it is now
   std::size_t cell_ = 0;          // where the walk is
   double sum_ = 0;                // of the weights found
+  std::size_t products_ = 0;      // so far
   std::vector<double> difference_, weights_;
 };
 

@@ -61,10 +61,8 @@ CentralView view_from_inside(const BoundarySites& sites, const std::vector<Index
 std::size_t walk_cones(const BoundarySites& sites, const SimplicialHull& hull,
                        const std::vector<double>& center, const double* q, std::size_t start,
                        const kernel::Grid& grid) {
-  kernel::Grid grid_of_all = grid;
-  grid_of_all.include(center.data());
   return internal::with_compiled_dimension<1, 6>(
-      hull.corners(), [&](auto k) { return walk<k()>(sites, hull, center.data(), q, start, grid_of_all); });
+      hull.corners(), [&](auto k) { return walk<k()>(sites, hull, center.data(), q, start, grid); });
 }
 
 }  // namespace delone::hull

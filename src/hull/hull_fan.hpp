@@ -54,7 +54,8 @@ bool choose_interior_point(const BoundarySites& sites, const std::vector<Index>&
 /// A view of points from strictly inside the simplex of some sites, if a double is. It has no box.
 geometry::CentralView view_from_inside(const BoundarySites& sites, const std::vector<Index>& simplex);
 
-/// A cell whose closed cone, seen from `center`, contains q. Exact. `grid` covers the sites and q.
+/// A cell whose closed cone, seen from `center`, contains q. Exact. `grid` covers the sites, q and the
+/// center.
 std::size_t walk_cones(const BoundarySites& sites, const compiled::SimplicialHull& hull,
                        const std::vector<double>& center, const double* q, std::size_t start,
                        const kernel::Grid& grid);

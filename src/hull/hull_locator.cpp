@@ -33,7 +33,9 @@ HullLocator::Result HullLocator::locate(const double* q, const kernel::Grid& gri
   const auto [near, sign] = approach(q);
   if (sign == Sign::negative) return {near, sign};
   // Where cells share a hyperplane, the approach may have ended at another cell than that of the cone.
-  const std::size_t c = walk_cones(sites_, hull_, boundary_.center(), q, near, grid);
+  kernel::Grid grid_of_all = grid;
+  grid_of_all.include(boundary_.center().data());
+  const std::size_t c = walk_cones(sites_, hull_, boundary_.center(), q, near, grid_of_all);
   std::vector<const double*> scratch;
   return {c, sign == Sign::positive ? sign : side(c, q, grid, scratch)};
 }

@@ -26,7 +26,7 @@ class HullLocator {
   };
   /// REQUIRES q in the flat of the hull and k ≥ 1. `grid` covers the sites and q.
   Result locate(const double* q, const kernel::Grid& grid) const;
-  /// The same from a cell near that of q. REQUIRES has_fan().
+  /// The same from a cell near that of q. REQUIRES has_fan(); `grid` covers the center, too.
   Result locate_from(std::size_t start, const double* q, const kernel::Grid& grid) const;
   /// Whether there are a boundary of an engine, and a point inside.
   bool has_fan() const;

@@ -4,9 +4,11 @@
 #include "base/large_vector.hpp"
 #include "base/stopwatch.hpp"
 #include "complex/canonical_hash.hpp"
+#include "hull/complete_shell.hpp"
 #include "hull/hull_fan.hpp"
 #include "hull/outermost_sites.hpp"
 #include "hull/point_sieve.hpp"
+#include "hull/wall_order.hpp"
 #include "order/insertion_order.hpp"
 
 #include <algorithm>
@@ -155,11 +157,17 @@ void HullState::insert_in_threads(std::span<const Index> sites, std::span<const 
   boundary_->insert_all(sites, rounds, threads, progress);
 }
 
-/// Adds the rows of the first batch. Interior ones that a few passes find have no sites. Returns the sites to
-/// begin with, if they are known.
-std::vector<Index> HullState::sieve(std::span<const double> coordinates, unsigned threads) {
+struct HullState::Shell {
+  std::vector<Index> sites;  ///< to begin with, if they are known
+  bool has_all = false;      ///< whether all points are in their hull
+};
+
+/// Adds the rows of the first batch. Interior ones that a few passes find have no sites.
+HullState::Shell HullState::sieve(std::span<const double> coordinates, unsigned threads) {
   PointSieve sieve(coordinates, sites_.ambient, 0, threads);
   sieve.run();
+  Shell shell;
+  shell.has_all = sieve.has_shell() && complete_shell(sieve);
   const std::vector<Index> remaining = sieve.remaining_rows();
   const std::size_t n = coordinates.size() / ambient();
   if (remaining.size() < n) {
@@ -174,11 +182,10 @@ std::vector<Index> HullState::sieve(std::span<const double> coordinates, unsigne
     sieved_ = SievedRows(coordinates, sites_.ambient, std::move(interior));
   }
   sites_.add_rows(coordinates, &remaining);
-  std::vector<Index> outermost;
-  for (const Index row : sieve.shell_rows()) outermost.push_back(sites_.site_of_row(row));
-  std::sort(outermost.begin(), outermost.end());
-  outermost.erase(std::unique(outermost.begin(), outermost.end()), outermost.end());
-  return outermost;
+  for (const Index row : sieve.shell_rows()) shell.sites.push_back(sites_.site_of_row(row));
+  std::sort(shell.sites.begin(), shell.sites.end());
+  shell.sites.erase(std::unique(shell.sites.begin(), shell.sites.end()), shell.sites.end());
+  return shell;
 }
 
 /// As if there had been no sieve, so that later rows can be compared with all earlier ones. Strong guarantee.
@@ -212,16 +219,17 @@ void HullState::insert_range(std::span<const double> coordinates, const Options&
   Rollback rollback(*this);
   const auto first_site = static_cast<Index>(sites_.size());
   internal::Stopwatch stopwatch;
-  std::vector<Index> outermost;
+  Shell shell;
   // With a tolerance an interior row may be outside of what is shown, and needs a site.
   if (first_site == 0 && ambient() > 1 && options.tolerance == 0 &&
       options.order != InsertionOrder::as_given && coordinates.size() >= least_to_sieve * ambient())
-    outermost = sieve(coordinates, options.threads);
+    shell = sieve(coordinates, options.threads);
   else
     sites_.add_rows(coordinates);
   earlier_.order_seconds += stopwatch.seconds();
 
   stopwatch.restart();
+  std::vector<Index>& outermost = shell.sites;
   if (outermost.empty() && options.order != InsertionOrder::as_given)
     outermost = outermost_sites(sites_, first_site);
   bool raised = false;
@@ -254,12 +262,14 @@ void HullState::insert_range(std::span<const double> coordinates, const Options&
     earlier_.build_seconds += stopwatch.seconds();
 
     stopwatch.restart();
-    const std::vector<std::size_t> rounds = put_in_order(others, options);
+    const bool is_by_walls = shell.has_all && order_by_walls(*this, others);
+    std::vector<std::size_t> rounds;
+    if (!is_by_walls) rounds = put_in_order(others, options);
     earlier_.order_seconds += stopwatch.seconds();
 
     stopwatch.restart();
     // As given means in that order. Of what is approved of, cells are asked before the batch is kept.
-    if (options.order == InsertionOrder::as_given || (approve && !raised) ||
+    if (options.order == InsertionOrder::as_given || is_by_walls || (approve && !raised) ||
         !boundary_->shares_batches_of(others.size())) {
       boundary_->insert_all(others, tick);
     } else {

@@ -74,7 +74,8 @@ class HullState {
   void make_boundary();
   void restart(Rollback& rollback);
   void note_effort(Statistics& sum) const;
-  std::vector<Index> sieve(std::span<const double> coordinates, unsigned threads);
+  struct Shell;
+  Shell sieve(std::span<const double> coordinates, unsigned threads);
   void give_sieved_rows_sites();
   void insert_in_threads(std::span<const Index> sites, std::span<const std::size_t> rounds,
                          const Options& options, std::span<const Index> first,

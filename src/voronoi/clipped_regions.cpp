@@ -70,7 +70,7 @@ void RegionCollector::add(std::size_t region, RegionClipper& clipper, std::span<
     std::size_t count = 1;
     for (const std::size_t plane : clipper.planes_through(corner))
       name[count++] = plane < fixed ? plane : fixed + regions[clipper.other_of(plane)];
-    std::sort(name.begin(), name.begin() + static_cast<std::ptrdiff_t>(count));
+    std::sort(name.begin(), name.end());  // in the plane one entry is 0 always
     number[corner] = number_of(name, clipper, corner);
   }
   const auto faces = clipper.faces(number);

@@ -88,5 +88,17 @@ TEST(ExtremeHull, DecidesRoundedFacetsExactly) {
   }
 }
 
+/// So many points on walls that the shell grows for long.
+TEST(ExtremeHull, ManyPointsOnWalls) {
+  for (int d = 2; d <= 4; ++d)
+    for (const bool all : {false, true}) {
+      const auto width = static_cast<std::size_t>(d);
+      const std::size_t n = test::scaled_size(6000, 2000);
+      std::vector<double> rows = make_point_set("uniform", d, n, 5);
+      for (std::size_t i = n / 3; i < n; ++i) rows[i * width + (all ? i % width : 0)] = all && i % 2 ? 1 : 0;
+      check(rows, d);
+    }
+}
+
 }  // namespace
 }  // namespace delone::hull

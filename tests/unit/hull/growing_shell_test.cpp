@@ -30,7 +30,7 @@ TEST(GrowingShell, HasAllPointsWithinTheTolerance) {
         ASSERT_TRUE(sieve.has_shell());
         int calls = 0;
         GrowingShell growth(sieve, tolerance, [&] { ++calls; });
-        ASSERT_TRUE(growth.is_possible() && growth.run(1000));
+        ASSERT_TRUE(growth.is_possible() && growth.run({}));
         EXPECT_GT(calls, 0);
         const HullState& shell = sieve.shell();
         std::vector<const double*> vertices;
@@ -59,7 +59,17 @@ TEST(GrowingShell, GivesUpBeyondTheNumberOfVertices) {
   PointSieve sieve(sphere, 3);
   sieve.run();
   GrowingShell growth(sieve, 1e-13, [] {});
-  EXPECT_FALSE(growth.run(40));
+  EXPECT_FALSE(growth.run({.vertices = 40}));
+  EXPECT_FALSE(growth.open().empty());
+}
+
+TEST(GrowingShell, GivesUpBeyondTheNumberOfProducts) {
+  const std::vector<double> points = points_of(3, 2000, 1, 0);
+  PointSieve few(points, 3), enough(points, 3);
+  few.run();
+  enough.run();
+  EXPECT_FALSE(GrowingShell(few, 1e-13, [] {}).run({.products = 0}));
+  EXPECT_TRUE(GrowingShell(enough, 1e-13, [] {}).run({.products = 1000 * 2000}));
 }
 
 TEST(GrowingShell, NeedsModerateNumbers) {

@@ -78,6 +78,7 @@ TEST(WalkCones, FindsTheOrthant) {
         for (int j = 0; j < d; ++j) q.push_back((j + 2) * (orthant >> j & 1 ? 0.125 : -0.125));
         kernel::Grid grid = sites.grid;
         grid.include(q.data());
+        grid.include(center.data());
         const std::size_t c = walk_cones(sites, hull, center, q.data(), start, grid);
         for (const Index site : hull.cell(c))
           for (int j = 0; j < d; ++j) EXPECT_GE(sites.point(site)[j] * q[static_cast<std::size_t>(j)], 0);
@@ -91,14 +92,16 @@ TEST(WalkCones, AcceptsWallsAndTheCenter) {
   const SimplicialHull& hull = state.hull();
   const std::vector<double> center(3, 0.0);
   for (std::size_t start = 0; start < hull.num_cells(); ++start) {
-    EXPECT_EQ(walk_cones(sites, hull, center, center.data(), start, sites.grid), start);
+    kernel::Grid grid = sites.grid;
+    grid.include(center.data());
+    EXPECT_EQ(walk_cones(sites, hull, center, center.data(), start, grid), start);
     const double axis[3] = {7, 0, 0};
-    const std::size_t c = walk_cones(sites, hull, center, axis, start, sites.grid);
+    grid.include(axis);
+    const std::size_t c = walk_cones(sites, hull, center, axis, start, grid);
     const auto is_at_the_axis = [&](Index site) { return sites.point(site)[0] == 1; };
     EXPECT_TRUE(std::any_of(hull.cell(c).begin(), hull.cell(c).end(), is_at_the_axis));
     // One unit in the last place beside the wall y = 0.
     const double nudged[3] = {7, 0x1p-1074, 1};
-    kernel::Grid grid = sites.grid;
     grid.include(nudged);
     const std::size_t beside = walk_cones(sites, hull, center, nudged, start, grid);
     for (const Index site : hull.cell(beside)) EXPECT_GE(sites.point(site)[1], 0);
@@ -120,6 +123,7 @@ TEST(WalkCones, FindsEachCellOfALatticeCube) {
       for (double& x : q) x -= 4 * d - 1;  // 4·d·(mean − center) + center
       kernel::Grid grid = sites.grid;
       grid.include(q.data());
+      grid.include(center.data());
       EXPECT_EQ(walk_cones(sites, hull, center, q.data(), 0, grid), c);
     }
   }

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hull/wall_order.hpp"
+
+#include "hull/hull_analysis.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace delone::hull {
+namespace {
+
+class Walls {
+ public:
+  explicit Walls(const HullState& hull) : hull_(hull), analysis_(hull), grid_(hull.sites().grid) {
+    grid_.include(hull.boundary()->center().data());
+  }
+
+  /// 0 for a site in the interior, and a number for each facet.
+  std::size_t wall(Index site) {
+    const HullLocator::Result found =
+        analysis_.locator()->locate_from(cell_, hull_.sites().point(site), grid_);
+    cell_ = found.cell;
+    return found.side == Sign::positive ? 0 : 1 + std::size_t{analysis_.faces().facet_of_cell[cell_]};
+  }
+
+  /// Whether at least a quarter of some sites are on facets.
+  bool are_many(const std::vector<Index>& sites) {
+    constexpr std::size_t sample = 64;
+    if (sites.size() < 2 * sample) return false;
+    std::size_t on_walls = 0;
+    for (std::size_t i = 0; i < sample; ++i) on_walls += wall(sites[i * (sites.size() / sample)]) > 0 ? 1 : 0;
+    return on_walls >= sample / 4;
+  }
+
+ private:
+  const HullState& hull_;
+  HullAnalysis analysis_;
+  kernel::Grid grid_;
+  std::size_t cell_ = 0;
+};
+
+}  // namespace
+
+bool order_by_walls(const HullState& hull, std::vector<Index>& sites) {
+  const Boundary* const boundary = hull.boundary();
+  if (!boundary || !HullLocator(hull.sites(), *boundary).has_fan()) return false;
+  Walls walls(hull);
+  if (!walls.are_many(sites)) return false;
+  std::vector<std::pair<std::size_t, Index>> order;
+  order.reserve(sites.size());
+  for (const Index site : sites) order.emplace_back(walls.wall(site), site);
+  const auto d = static_cast<std::size_t>(hull.sites().ambient);
+  std::sort(order.begin(), order.end(), [&](const auto& a, const auto& b) {
+    if (a.first != b.first) return a.first < b.first;
+    const double *p = hull.sites().point(a.second), *q = hull.sites().point(b.second);
+    return std::lexicographical_compare(p, p + d, q, q + d);
+  });
+  std::transform(order.begin(), order.end(), sites.begin(), [](const auto& entry) { return entry.second; });
+  return true;
+}
+
+}  // namespace delone::hull
