@@ -5,6 +5,7 @@
 // scaled and eliminated. What binary64 leaves open goes to arithmetic of twice its precision.
 #pragma once
 
+#include "kernel/box_corners.hpp"
 #include "kernel/determinant.hpp"
 #include "kernel/determinant_grid.hpp"
 #include "kernel/double_double_stage.hpp"
@@ -309,7 +310,10 @@ std::optional<Sign> direct_sphere(const Flat& flat, const double* const* points,
     sign = detail::sphere_by_minors<K>(flat, points, q, grid);
   else
     sign = detail::sphere_by_elimination<K>(flat, points, q, grid);
-  return sign ? sign : double_double_sphere(flat, points, q);
+  if (sign) return sign;
+  if (!flat.weighted() && are_corners_of_a_box(flat.ambient, points, flat.dimension() + 1, q))
+    return Sign::zero;
+  return double_double_sphere(flat, points, q);
 }
 
 /// The sign of the determinant of N rows of `row_size` doubles, restricted to N columns `axes`; nullopt when

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solve/cell_center.hpp"
 
+#include "kernel/box_corners.hpp"
 #include "solve/integer_edges.hpp"
 
 #include <algorithm>
@@ -17,6 +18,7 @@ void CenterFinder::find(const double* const* points, const double* weights, doub
     for (std::size_t j = 0; j < dimension_; ++j) center[j] = points[0][j] + 0.0;
     if (find_center(axes_, points, weights, center)) return;
   }
+  if (is_center_of_box(points, weights, center)) return;
   ++num_exact_;
   find_exactly(points, weights, center);
 }
@@ -48,9 +50,18 @@ void CenterFinder::find_block(std::size_t count, const double* const* points, co
     const double* of_cell = weights == nullptr ? nullptr : weights + cell * (k + 1);
     // For k ≤ 3 one lane computes the same. For larger k it exchanges rows and may succeed.
     if (k > 3 && find_center(axes_, points + cell * (k + 1), of_cell, center)) continue;
+    if (is_center_of_box(points + cell * (k + 1), of_cell, center)) continue;
     ++num_exact_;
     find_exactly(points + cell * (k + 1), of_cell, center);
   }
+}
+
+/// Sets the center if the points are corners of a box that they span.
+bool CenterFinder::is_center_of_box(const double* const* points, const double* weights,
+                                    double* center) const {
+  return weights == nullptr && axes_.size() == dimension_ &&
+         kernel::find_center_of_box(static_cast<int>(dimension_), points, static_cast<int>(dimension_) + 1,
+                                    center);
 }
 
 void CenterFinder::find_offset(const double* const* points, double* offset) const {

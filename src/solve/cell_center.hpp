@@ -51,6 +51,7 @@ class CenterFinder {
   std::uint64_t num_exact() const { return num_exact_; }
 
  private:
+  bool is_center_of_box(const double* const* points, const double* weights, double* center) const;
   void find_exactly(const double* const* points, const double* weights, double* center) const;
 
   std::size_t dimension_;
