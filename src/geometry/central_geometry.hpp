@@ -161,7 +161,8 @@ class CentralGeometry {
   Sign perturbed_side(const Index* vertices, const Query& q, StageCounts& counts) const {
     ++counts.perturbed;
     const double* inner = view_.center.data();
-    if (!view_.is_inside) {
+    if (!view_.is_inside || !view_.grid.is_small()) {
+      // Of determinants of sites alone more are seen to be zero without wide arithmetic.
       StageCounts uncounted;
       inner = point(*std::find_if(inner_.begin(), inner_.end(), [&](Index v) {
         return side(vertices, point(v), uncounted) != Sign::zero;

@@ -12,6 +12,7 @@
 #include "kernel/flat.hpp"
 #include "kernel/grid.hpp"
 #include "kernel/minors.hpp"
+#include "kernel/multiples_stage.hpp"
 
 #include <delone/types.hpp>
 
@@ -297,7 +298,9 @@ std::optional<Sign> direct_orientation(const Flat& flat, const double* const* po
     sign = detail::orientation_by_minors<K>(flat, points, base, grid);
   else
     sign = detail::orientation_by_elimination<K>(flat, points, base, grid);
-  return sign ? sign : double_double_orientation(flat, points, base);
+  if (sign) return sign;
+  if (const auto of_multiples = orientation_of_multiples(flat.axes, points, base)) return of_multiples;
+  return double_double_orientation(flat, points, base);
 }
 
 /// The sign of det(p_i − q, |p_i − q|² − w_i + w_q), i = 0 … k, all weights 0 for points without; nullopt

@@ -10,6 +10,8 @@
 #include "kernel/binary.hpp"
 #include "kernel/grid.hpp"
 #include "kernel/int128.hpp"
+#include "kernel/integer_determinant.hpp"
+#include "kernel/zero_by_primes.hpp"
 
 #include <boost/multiprecision/cpp_int.hpp>
 
@@ -42,36 +44,6 @@ Integer to_integer(double x, int grid) {
   if (shift <= 0)
     return Integer(binary.mantissa >> -shift);  // exact: x lies on the grid, so the bits shifted out are zero
   return Integer(binary.mantissa) * (Integer(1) << shift);
-}
-
-template <class Integer>
-Sign sign_of(const Integer& x) {
-  return x > 0 ? Sign::positive : x < 0 ? Sign::negative : Sign::zero;
-}
-
-/// Laplace expansion over all minors of the first rows: n·2^(n−1) products of a minor and an entry, no
-/// division.
-template <class Integer>
-Sign sign_by_minors(const std::vector<Integer>& a, int n) {
-  std::vector<Integer> minors(std::size_t{1} << n, Integer(0));
-  minors[0] = 1;
-  for (std::size_t subset = 1; subset < minors.size(); ++subset) {
-    const int row = std::popcount(subset) - 1;
-    Integer sum(0);
-    bool negate = (row & 1) != 0;  // the sign of the cofactor of the lowest column of the subset
-    for (std::size_t rest = subset; rest != 0; rest &= rest - 1, negate = !negate) {
-      const int c = std::countr_zero(rest);
-      const Integer& entry = a[static_cast<std::size_t>(row * n + c)];
-      const Integer& minor = minors[subset & ~(std::size_t{1} << c)];
-      if (entry == 0 || minor == 0) continue;
-      if (negate)
-        sum -= entry * minor;
-      else
-        sum += entry * minor;
-    }
-    minors[subset] = std::move(sum);
-  }
-  return sign_of(minors.back());
 }
 
 /// An integer modulo 2^(64·Limbs), lowest limb first: a signed one of 64·Limbs bits in two's complement.
@@ -135,31 +107,6 @@ Sign sign_by_wide_minors(const std::vector<Int128>& a, int n) {
   return minors[all].sign();
 }
 
-/// Fraction-free elimination (Bareiss 1968, doi:10.1090/S0025-5718-1968-0226829-0): every intermediate value
-/// is a minor.
-template <class Integer>
-Sign sign_by_elimination(std::vector<Integer> a, int n) {
-  const auto at = [&](int r, int c) -> Integer& { return a[static_cast<std::size_t>(r * n + c)]; };
-  Integer previous(1);
-  bool negate = false;
-  for (int s = 0; s + 1 < n; ++s) {
-    int pivot = s;
-    while (pivot < n && at(pivot, s) == 0) ++pivot;
-    if (pivot == n) return Sign::zero;
-    if (pivot != s) {
-      for (int c = 0; c < n; ++c) std::swap(at(pivot, c), at(s, c));
-      negate = !negate;
-    }
-    for (int r = s + 1; r < n; ++r) {
-      internal::cancellation_point();
-      for (int c = s + 1; c < n; ++c) at(r, c) = (at(r, c) * at(s, s) - at(r, s) * at(s, c)) / previous;
-    }
-    previous = at(s, s);
-  }
-  const Sign sign = sign_of(at(n - 1, n - 1));
-  return negate ? -sign : sign;
-}
-
 /// One determinant. Its rows are p_i − base, or as given without a base; its columns are the axes of the flat
 /// and, for a sphere, the squared length less the difference of the weights.
 class Problem {
@@ -175,28 +122,51 @@ class Problem {
     internal::cancellation_point();
     measure();
     if (has_zero_column_) return Sign::zero;
-    // A minor of size s is at most s! times the product of its columns' largest entries.
-    double factorial_bits = 1;
-    for (int i = 2; i <= n_; ++i) factorial_bits += std::log2(i);
-    const double bits = entry_bits_ + std::ceil(factorial_bits);
-    constexpr int largest_for_minors = 8;
-    if (n_ <= largest_for_minors) {
-      if (bits <= 62) return sign_by_minors(entries<std::int64_t>(), n_);
-      if (bits <= 126) return sign_by_minors(entries<Int128>(), n_);
-      if (widest_entry_ <= 126) {
-        if (bits <= 254) return sign_by_wide_minors<4>(entries<Int128>(), n_);
-        if (bits <= 318) return sign_by_wide_minors<5>(entries<Int128>(), n_);
-        if (bits <= 510) return sign_by_wide_minors<8>(entries<Int128>(), n_);
-      }
-      if (bits <= 510) return sign_by_minors(entries<FixedInteger<512>>(), n_);
-      if (bits <= 1022) return sign_by_minors(entries<FixedInteger<1024>>(), n_);
-      return sign_by_minors(entries<BigInteger>(), n_);
-    }
-    if (bits <= 62) return sign_by_elimination(entries<Int128>(), n_);
-    return sign_by_elimination(entries<BigInteger>(), n_);
+    if (bits() <= 62 && n_ <= most_columns_for_minors)
+      return sign_by_integer_minors(entries<std::int64_t>(), n_);
+    if (widest_entry_ <= 126) return sign_of_narrow(entries<Int128>());
+    if (n_ > most_columns_for_minors) return sign_by_integer_elimination(entries<BigInteger>(), n_);
+    if (bits() <= 510) return sign_by_integer_minors(entries<FixedInteger<512>>(), n_);
+    if (bits() <= 1022) return sign_by_integer_minors(entries<FixedInteger<1024>>(), n_);
+    return sign_by_integer_minors(entries<BigInteger>(), n_);
   }
 
  private:
+  static constexpr int most_columns_for_minors = 8;
+
+  /// All minors are below 2 to this: one of size s is at most s! times the product of its columns' largest
+  /// entries.
+  double bits() const {
+    double factorial_bits = 1;
+    for (int i = 2; i <= n_; ++i) factorial_bits += std::log2(i);
+    return entry_bits_ + std::ceil(factorial_bits);
+  }
+
+  /// The sign for entries below 2^126.
+  Sign sign_of_narrow(std::vector<Int128> a) const {
+    const double size = bits();
+    if (n_ > most_columns_for_minors || size > 510) {
+      if (size <= 62) return sign_by_integer_elimination(std::move(a), n_);
+      if (is_zero_by_primes(a, n_, size)) return Sign::zero;
+      if (n_ > most_columns_for_minors) return sign_by_integer_elimination(converted<BigInteger>(a), n_);
+      if (size <= 1022) return sign_by_integer_minors(converted<FixedInteger<1024>>(a), n_);
+      return sign_by_integer_minors(converted<BigInteger>(a), n_);
+    }
+    if (size <= 62) return sign_by_integer_minors(converted<std::int64_t>(a), n_);
+    if (size <= 126) return sign_by_integer_minors(a, n_);
+    if (size <= 254) return sign_by_wide_minors<4>(a, n_);
+    if (size <= 318) return sign_by_wide_minors<5>(a, n_);
+    return sign_by_wide_minors<8>(a, n_);
+  }
+
+  template <class Integer>
+  static std::vector<Integer> converted(const std::vector<Int128>& a) {
+    std::vector<Integer> result;
+    result.reserve(a.size());
+    for (const Int128& entry : a) result.push_back(static_cast<Integer>(entry));
+    return result;
+  }
+
   double base(std::size_t j) const { return base_ == nullptr ? 0.0 : base_[j]; }
 
   /// A grid that entry j of all rows and of the base lies on, and the number of bits of the differences in
@@ -357,7 +327,7 @@ Sign exact_affine_form(const double* row, const double* p, int dimension) {
     const Binary a = decompose(row[j]), b = decompose(p[j]);
     add(BigInteger(a.mantissa) * b.mantissa, a.exponent + b.exponent);
   }
-  return sign_of(sum);
+  return sign_of_integer(sum);
 }
 
 }  // namespace delone::kernel

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """read, write_points, save, to_data, check, generate and lower_hull; files for other programs as meshio and VTK read them."""
+import base64
 import itertools
 import os
 import pickle
@@ -397,8 +398,18 @@ def volume(points, cells):
     return abs(np.linalg.det(points[cells[:, 1:]] - points[cells[:, :1]])).sum() / 6
 
 
-def test_meshes_as_meshio_reads_them(tmp_path):
+def meshio_that_reads_vtu():
+    """meshio 5.3 converts the data of a .vtu file to base64, and expects that decoding stops at the first padding: not so since Python 3.13."""
     meshio = pytest.importorskip("meshio")
+    try:
+        base64.b64decode(b"AA==AAAA")
+    except ValueError:
+        pytest.skip("meshio does not read .vtu files with several arrays in this version of Python")
+    return meshio
+
+
+def test_meshes_as_meshio_reads_them(tmp_path):
+    meshio = meshio_that_reads_vtu()
     t, h = delone.Delaunay(POINTS), delone.ConvexHull(POINTS)
     t.save(tmp_path / "a.vtu")
     mesh = meshio.read(tmp_path / "a.vtu")
@@ -430,7 +441,7 @@ def test_other_meshes_are_those_of_meshio(tmp_path, product):
 
 @pytest.mark.parametrize("dimension", (2, 3))
 def test_diagrams_as_meshio_reads_them(tmp_path, dimension):
-    meshio = pytest.importorskip("meshio")
+    meshio = meshio_that_reads_vtu()
     points = POINTS[:, :dimension]
     for diagram in (delone.Voronoi(points), delone.PowerDiagram(points, np.arange(30.0) / 300)):
         diagram.save(tmp_path / "a.vtu", box=([0.0] * dimension, [1.0] * dimension))
