@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace delone::queries {
 
@@ -28,6 +29,22 @@ class ThickCells {
   /// dimension 0 does. `work` keeps memory from call to call.
   bool is_thick(CellId cell, std::span<const double* const> points, int dimension,
                 kernel::NearestInHull& work) const;
+  /// All thick cells, if keep_list() has got them, else null.
+  const std::vector<CellId>* list() const { return list_.load(std::memory_order_acquire); }
+  /// Keeps the list of all thick cells that find() returns. One thread finds them; calls of others that come
+  /// meanwhile do nothing. If find() throws, the next call tries again.
+  template <class Find>
+  void keep_list(Find find) const {
+    if (is_listing_.exchange(true)) return;
+    try {
+      cells_ = find();
+    } catch (...) {
+      is_listing_ = false;
+      throw;
+    }
+    list_.store(&cells_, std::memory_order_release);
+  }
+
   /// Whether the cell is known to be thick.
   bool is_known_thick(CellId cell) const {
     return kinds_[index(cell)].load(std::memory_order_relaxed) == Kind::thick;
@@ -38,6 +55,9 @@ class ThickCells {
 
   double tolerance_;
   std::unique_ptr<std::atomic<Kind>[]> kinds_;
+  mutable std::vector<CellId> cells_;
+  mutable std::atomic<const std::vector<CellId>*> list_ = nullptr;
+  mutable std::atomic<bool> is_listing_ = false;
 };
 
 }  // namespace delone::queries

@@ -18,6 +18,7 @@
 // |x − z|².
 #include "queries/tolerant_location.hpp"
 
+#include "base/progress_meter.hpp"
 #include "queries/barycentric.hpp"
 
 #include <algorithm>
@@ -135,18 +136,44 @@ bool TolerantLocation::precedes(const Candidate& a, const Candidate& b) const {
   return face_a != face_b ? face_a < face_b : rows_of_cell(a.cell) < rows_of_cell(b.cell);
 }
 
-/// Collects the thick cells within τ that may be nearest.
+/// Decides all cells, and keeps those that are thick.
+void TolerantLocation::list_thick_cells() {
+  thick_->keep_list([&] {
+    std::vector<CellId> list;
+    for (const CellId cell : where_.complex.finite_cells()) {
+      internal::cancellation_point();
+      if (is_thick(cell)) list.push_back(cell);
+    }
+    return list;
+  });
+}
+
+/// Collects the thick cells within τ that may be nearest. A ball of many cells has few that are thick, or it
+/// would have shrunk: then a list of all of them is the shorter way.
 void TolerantLocation::search(const double* q, CellId start) {
   candidates_.clear();
   double radius = options_.tolerance;
-  visit_ball(q, start, radius, [&](CellId cell) {
-    if (!is_thick(cell)) return true;
+  const auto look_at = [&](CellId cell) {
     Candidate candidate;
     find(cell, q, candidate);
     radius = std::min(radius, candidate.upper);
     if (candidate.lower <= radius) candidates_.push_back(std::move(candidate));
-    return true;
-  });
+  };
+  const std::size_t all = where_.complex.num_finite_cells();
+  if (const auto* list = thick_->list(); list && list->size() < all / 64) {
+    for (const CellId cell : *list) {
+      load(cell);
+      if (!has_far_box(points_, q, radius)) look_at(cell);
+    }
+  } else {
+    std::size_t visited = 0;
+    visit_ball(q, start, radius, [&](CellId cell) {
+      ++visited;
+      if (is_thick(cell)) look_at(cell);
+      return true;
+    });
+    if (!list && visited > all / 16) list_thick_cells();
+  }
   std::erase_if(candidates_, [&](const Candidate& c) { return c.lower > radius; });
 }
 

@@ -55,6 +55,7 @@ class TolerantLocation {
   bool has_far_box(const std::vector<const double*>& points, const double* q, double radius) const;
   CellId finite_cell(const LocatedPoint& found) const;
   void search(const double* q, CellId start);
+  void list_thick_cells();
   bool find_thick(const double* q, CellId start, Candidate& result);
   void find_in_hull(const double* q, CellId start, Candidate& result);
   bool precedes(const Candidate& a, const Candidate& b) const;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <new>
 #include <vector>
 
 namespace delone::queries {
@@ -44,6 +45,17 @@ TEST(ThickCells, CellsAreDecidedOnceAndExactly) {
   const ThickCells fine(2, 0x1p-61), coarse(2, 0x1p-60);
   EXPECT_TRUE(fine.is_thick(CellId{1}, rows(sliver, 2), 2, work));
   EXPECT_FALSE(coarse.is_thick(CellId{1}, rows(sliver, 2), 2, work));
+}
+
+TEST(ThickCells, KeepOneList) {
+  const ThickCells thick(4, 1);
+  EXPECT_EQ(thick.list(), nullptr);
+  EXPECT_THROW(thick.keep_list([]() -> std::vector<CellId> { throw std::bad_alloc(); }), std::bad_alloc);
+  EXPECT_EQ(thick.list(), nullptr);
+  thick.keep_list([] { return std::vector{CellId{2}}; });
+  thick.keep_list([] { return std::vector{CellId{1}, CellId{3}}; });
+  ASSERT_NE(thick.list(), nullptr);
+  EXPECT_EQ(*thick.list(), std::vector{CellId{2}});
 }
 
 }  // namespace

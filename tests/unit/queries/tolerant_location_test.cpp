@@ -16,6 +16,7 @@
 #include <limits>
 #include <optional>
 #include <random>
+#include <tuple>
 #include <vector>
 
 namespace delone::queries {
@@ -309,6 +310,33 @@ TEST(TolerantLocation, ToleranceOfTheSizeOfCells) {
   EXPECT_GT(all.inside, 20);
   EXPECT_GT(all.hull, 5);
   EXPECT_GT(all.outside, 5);
+}
+
+// A locator that has seen a large ball keeps a list of the thick cells; a new one has none.
+TEST(TolerantLocation, IsTheSameWithAListOfThickCells) {
+  std::mt19937_64 random(12);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  std::vector<double> points;
+  for (int i = 0; i < 4000; ++i) points.push_back(uniform(random));
+  points.insert(points.end(), {3.0, 0.5, 3.0, 1.5, 4.0, 0.5});  // some large cells
+  const Delaunay<> t(points, 2);
+  const PointLocator kept(t);
+  int moved = 0;
+  for (const double tolerance : {0.3, 0.9})
+    for (int i = 0; i < 60; ++i) {
+      const std::vector<double> query{uniform(random) * 5 - 0.5, uniform(random) * 2 - 0.5};
+      const auto locate = [&](const PointLocator& locator) {
+        std::tuple<CellId, Kind, double> answer;
+        locator.locate(query, {.tolerance = tolerance}, [&](std::size_t, const LocatedPoint& found) {
+          answer = {found.cell, found.kind, found.distance};
+        });
+        return answer;
+      };
+      const auto answer = locate(kept);
+      EXPECT_EQ(answer, locate(PointLocator(t)));
+      moved += std::get<double>(answer) > 0 ? 1 : 0;
+    }
+  EXPECT_GT(moved, 10);
 }
 
 TEST(TolerantLocation, FlatInput) {

@@ -1,0 +1,191 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Times jobs at which delone was, or is, slower than SciPy, or slow beside another job of its own; one thread, in turn in one run.
+
+  PYTHONPATH=build/release/python rows.py             a table: processor time of delone and of the rival, and the ratio rival/delone
+  PYTHONPATH=build/release/python rows.py --only wall     rows whose name contains a text, also repeated
+  PYTHONPATH=build/release/python rows.py --record    also benchmarks/history/DATE-COMMIT-rows.json
+
+Figures are least values over the rounds, in milliseconds. A ratio above 1 means that delone is faster. The rival of rows "of ..." is
+a job of delone itself.
+"""
+import argparse
+import itertools
+import time
+
+import numpy as np
+import scipy.interpolate
+import scipy.spatial
+
+import delone
+import delone.interpolate
+import delone.spatial
+import record
+
+ROWS = {}
+
+
+def row(name):
+    """Registers a function that returns a job of delone and one of the rival."""
+    def register(make):
+        ROWS[name] = make
+        return make
+    return register
+
+
+def random(seed=1):
+    return np.random.default_rng(seed)
+
+
+def scan(floor):
+    return np.vstack([random().random((20000, 3)) * [10, 10, 3], floor])
+
+
+def floor(n):
+    return np.c_[np.round(random(2).random((n, 2)) * 20 - 5, 3), np.zeros(n)]
+
+
+def disc(n):
+    radius, angle = 10 * np.sqrt(random(2).random(n)), random(3).random(n) * 2 * np.pi
+    return np.c_[radius * np.cos(angle), radius * np.sin(angle), np.zeros(n)]
+
+
+def walls(n):
+    points = random(2).random((n, 3)) * [10, 10, 3]
+    axis, end = random(3).integers(0, 3, n), random(4).integers(0, 2, n)
+    points[np.arange(n), axis] = end * np.array([10, 10, 3])[axis]
+    return points
+
+
+TURN = np.array([[.8, -.6, 0], [.48, .64, -.6], [.36, .48, .8]])
+SCANS = {
+    "floor 4e4": lambda: scan(floor(40000)), "floor 1.6e5": lambda: scan(floor(160000)), "turned floor 4e4": lambda: scan(floor(40000) @ TURN),
+    "six walls 4e4": lambda: scan(walls(40000)), "disc 4e4": lambda: scan(disc(40000)),
+    "4D wall 2e4": lambda: np.vstack([random().random((10000, 4)), np.c_[random(2).random((20000, 3)), np.zeros(20000)]]),
+}
+for title, points_of in SCANS.items():
+    for way, hull in {"all points": delone.ConvexHull, "extreme points": delone.ConvexHull.of_extreme_points, "spatial": delone.spatial.ConvexHull}.items():
+        def scan_row(points_of=points_of, hull=hull):
+            points = points_of()
+            return lambda: hull(points), lambda: scipy.spatial.ConvexHull(points)
+        row(f"hull, {title}, {way}")(scan_row)
+
+
+def signed_permutations():
+    """The 18 matrices 3 x 3 with one entry 1 or -1, and the 24 signed permutation matrices of determinant -1."""
+    points = [sign * np.eye(9)[k] for k in range(9) for sign in (1, -1)]
+    for order in itertools.permutations(range(3)):
+        for signs in itertools.product((1, -1), repeat=3):
+            matrix = np.zeros((3, 3))
+            matrix[np.arange(3), order] = signs
+            if round(np.linalg.det(matrix)) == -1:
+                points.append(matrix.ravel())
+    return np.array(points)
+
+
+for unit in (1.0, 0.1):
+    def signed_row(unit=unit):
+        points = signed_permutations() * unit
+        return lambda: delone.ConvexHull(points), lambda: scipy.spatial.ConvexHull(points)
+    row(f"hull, 42 signed matrices 9D times {unit:g}")(signed_row)
+
+for dimension, count in ((4, 244), (4, 1000), (5, 1000)):
+    for way, hull in {"exact": delone.ConvexHull, "spatial": delone.spatial.ConvexHull}.items():
+        def shares_row(dimension=dimension, count=count, hull=hull):
+            shares = random().dirichlet(np.ones(dimension), count)
+            points = np.c_[shares[:, :-1], (shares**2).sum(axis=1)]
+            return lambda: hull(points), lambda: scipy.spatial.ConvexHull(points)
+        row(f"hull, compositions {dimension}D {count}, {way}")(shares_row)
+
+for dimension, count in ((2, 1000), (3, 1000), (3, 10000), (4, 1000)):
+    def halfspaces_row(dimension=dimension, count=count):
+        normals = random().normal(size=(count, dimension))
+        rows = np.c_[normals / np.linalg.norm(normals, axis=1)[:, None], -1 - random(2).random(count)]
+        inside = np.zeros(dimension)
+        return lambda: delone.spatial.HalfspaceIntersection(rows, inside), lambda: scipy.spatial.HalfspaceIntersection(rows, inside)
+    row(f"halfspaces {dimension}D {count}")(halfspaces_row)
+
+
+@row("1000 hulls of 20 points 3D, one call each")
+def small_hulls():
+    sets = random().random((1000, 20, 3))
+    return lambda: [delone.ConvexHull(each) for each in sets], lambda: [scipy.spatial.ConvexHull(each) for each in sets]
+
+
+@row("1000 hulls of 20 points 3D, one call of spatial each")
+def small_hulls_of_spatial():
+    sets = random().random((1000, 20, 3))
+    return lambda: [delone.spatial.ConvexHull(each) for each in sets], lambda: [scipy.spatial.ConvexHull(each) for each in sets]
+
+
+@row("1000 single find_simplex, 1000 points 3D")
+def single_queries():
+    points, queries = random().random((1000, 3)), random(2).random((1000, 3))
+    ours, theirs = delone.spatial.Delaunay(points), scipy.spatial.Delaunay(points)
+    return lambda: [ours.find_simplex(each) for each in queries], lambda: [theirs.find_simplex(each) for each in queries]
+
+
+@row("interpolation 3D, 2e5 sorted queries")
+def interpolation():
+    points, queries = random().random((10000, 3)), random(2).random((200000, 3))
+    queries, values = queries[np.lexsort(queries.T)], random(3).random(10000)
+    ours = delone.interpolate.LinearNDInterpolator(delone.spatial.Delaunay(points), values)
+    theirs = scipy.interpolate.LinearNDInterpolator(scipy.spatial.Delaunay(points), values)
+    return lambda: ours(queries), lambda: theirs(queries)
+
+
+for name, ours, theirs in (("Voronoi", delone.spatial.Voronoi, scipy.spatial.Voronoi), ("Delaunay", delone.spatial.Delaunay, scipy.spatial.Delaunay)):
+    def salt_row(ours=ours, theirs=theirs):
+        points = np.stack(np.meshgrid(*[np.arange(10.0)] * 3, indexing="ij"), -1).reshape(-1, 3) * 2.82
+        return lambda: ours(points), lambda: theirs(points)
+    row(f"{name}, rock salt 10^3")(salt_row)
+
+
+@row("hull with tolerance 1e-3, sphere 1e5, of the exact hull")
+def tolerant_hull():
+    points = random().normal(size=(100000, 3))
+    points /= np.linalg.norm(points, axis=1)[:, None]
+    return lambda: delone.ConvexHull(points, tolerance=1e-3, threads=1), lambda: delone.ConvexHull(points, threads=1)
+
+
+@row("location with tolerance 0.9, 20 of 20000 points 2D, of 20 exact ones")
+def tolerant_location():
+    triangulation, queries = delone.Delaunay(random().random((20000, 2))), random(2).random((20, 2))
+    return lambda: triangulation.find_simplex(queries, tolerance=0.9), lambda: triangulation.find_simplex(queries)
+
+
+def least(job, rounds, patience):
+    """The least processor time of some runs, in milliseconds; one run if it takes longer than that."""
+    best = None
+    for _ in range(rounds):
+        start = time.process_time()
+        job()
+        seconds = time.process_time() - start
+        best = seconds if best is None else min(best, seconds)
+        if seconds > patience:
+            break
+    return round(best * 1000, 3)
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Times jobs beside SciPy, one thread.")
+    parser.add_argument("--only", action="append", help="rows whose name contains this text")
+    parser.add_argument("--rounds", type=int, default=5)
+    parser.add_argument("--record", action="store_true", help="write a record to benchmarks/history")
+    arguments = parser.parse_args()
+    results = {}
+    print(f"{'row':62}{'delone ms':>11}{'rival ms':>11}{'ratio':>8}")
+    for name, make in ROWS.items():
+        if arguments.only and not any(text in name for text in arguments.only):
+            continue
+        ours, rival = make()
+        result = {"delone_ms": least(ours, arguments.rounds, 1), "rival_ms": least(rival, arguments.rounds, 1)}
+        result["ratio"] = float(f"{result['rival_ms'] / result['delone_ms']:.3g}")
+        results[name] = result
+        print(f"{name:62}{result['delone_ms']:11.2f}{result['rival_ms']:11.2f}{result['ratio']:8.3g}", flush=True)
+    if arguments.record:
+        print(record.write("rows", delone._core.__file__, results))
+
+
+if __name__ == "__main__":
+    main()
