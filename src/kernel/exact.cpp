@@ -152,7 +152,6 @@ class Problem {
       if (size <= 1022) return sign_by_integer_minors(converted<FixedInteger<1024>>(a), n_);
       return sign_by_integer_minors(converted<BigInteger>(a), n_);
     }
-    if (size <= 62) return sign_by_integer_minors(converted<std::int64_t>(a), n_);
     if (size <= 126) return sign_by_integer_minors(a, n_);
     if (size <= 254) return sign_by_wide_minors<4>(a, n_);
     if (size <= 318) return sign_by_wide_minors<5>(a, n_);
