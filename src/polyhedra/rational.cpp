@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <utility>
@@ -163,6 +164,14 @@ Rational::Rational(const Rational& numerator, const Rational& denominator) {
   });
 }
 
+Rational Rational::from_words(std::span<const std::uint64_t> magnitude, bool is_negative) {
+  return internal::guarded("a number", [&] {
+    Integer integer;
+    mp::import_bits(integer, magnitude.begin(), magnitude.end(), 64, false);
+    return Fraction::to_rational(is_negative ? Integer(-integer) : std::move(integer));
+  });
+}
+
 Rational Rational::numerator() const {
   return large_ ? Fraction::to_rational(large_->numerator) : numerator_;
 }
@@ -170,6 +179,20 @@ Rational Rational::denominator() const {
   return large_ ? Fraction::to_rational(large_->denominator) : denominator_;
 }
 bool Rational::is_integer() const { return large_ ? large_->denominator == 1 : denominator_ == 1; }
+bool Rational::is_negative() const { return large_ ? large_->numerator < 0 : numerator_ < 0; }
+
+std::optional<std::int64_t> Rational::to_int64() const {
+  return large_ || denominator_ != 1 ? std::nullopt : std::optional(numerator_);
+}
+
+std::vector<std::uint64_t> Rational::to_words() const {
+  return internal::guarded("a number", [&] {
+    std::vector<std::uint64_t> words;
+    const Integer magnitude = mp::abs(large_ ? large_->numerator : Integer(numerator_));
+    if (magnitude != 0) mp::export_bits(magnitude, std::back_inserter(words), 64, false);
+    return words;
+  });
+}
 
 std::string Rational::to_string() const {
   if (!large_)
