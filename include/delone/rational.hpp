@@ -87,6 +87,9 @@ class DELONE_EXPORT RationalRows {
   void push_back(std::span<const Rational> row);
   /// The nearest doubles.
   std::vector<double> to_doubles() const;
+  /// The same of rows of integers that mean what their positive multiples mean: a row that has an integer of
+  /// more than 1000 bits among its first `leading` entries is divided by a power of two.
+  std::vector<double> to_scaled_doubles(std::size_t leading) const;
 
   friend bool operator==(const RationalRows&, const RationalRows&) = default;
 

@@ -23,13 +23,13 @@ from ._locations import Locations
 from ._methods import attach as _attach
 from ._missing import attach as _attach_missing
 from ._patch import patch_scipy, scipy_is_patched, unpatch_scipy
-from ._polyhedra import Optimum, read_polyhedron
+from ._polyhedra import Optimum, PolyhedraVertices, polyhedra_vertices, read_polyhedron
 
 __all__ = ["AlphaComplex", "CancelledError", "Changes", "CheckReport", "ClippedRegions", "ComplexData", "ConvexHull", "ConvexHulls", "Data", "Delaunay", "Error", "Faces",
            "Forecast", "FurthestSite", "FurthestVoronoi", "HalfspaceIntersection", "HullData", "InputError", "IntersectionData", "LinearInterpolator", "Locations",
-           "LowerHull", "NaturalNeighborInterpolator", "Optimum", "OutOfMemoryError", "Polyhedron", "PowerDiagram", "Regular", "TimeLimitError", "TrimResult", "Voronoi",
+           "LowerHull", "NaturalNeighborInterpolator", "Optimum", "OutOfMemoryError", "PolyhedraVertices", "Polyhedron", "PowerDiagram", "Regular", "TimeLimitError", "TrimResult", "Voronoi",
            "VoronoiData", "__version__", "check", "convex_hulls", "estimate", "forecast", "generate", "lower_hull", "natural_neighbors",
-           "patch_scipy", "read", "read_polyhedron", "scipy_is_patched", "unpatch_scipy", "write_points"]
+           "patch_scipy", "polyhedra_vertices", "read", "read_polyhedron", "scipy_is_patched", "unpatch_scipy", "write_points"]
 
 for _name in __all__:
     if getattr(globals()[_name], "__module__", "").startswith(("delone._core", "delone._changes", "delone._clipped_regions", "delone._convex_hulls", "delone._data", "delone._files", "delone._polyhedra")):

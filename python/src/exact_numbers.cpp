@@ -8,7 +8,6 @@
 #include <delone/error.hpp>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -250,30 +249,11 @@ py::array object_array(const RationalRows& rows, std::size_t width, Make make) {
   return read_only(flat.attr("reshape")(rows.size(), width));
 }
 
-/// An array of what to_number(row, column) returns, without the GIL.
-template <class ToNumber>
-py::array number_array(const RationalRows& rows, std::size_t width, ToNumber to_number) {
-  py::array_t<double> array({static_cast<py::ssize_t>(rows.size()), static_cast<py::ssize_t>(width)});
-  double* out = array.mutable_data();
+/// An array of what to_numbers() returns, without the GIL.
+template <class ToNumbers>
+py::array number_array(const RationalRows& rows, std::size_t width, ToNumbers to_numbers) {
   Supervisor supervisor;
-  supervisor.run([&] {
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      cancellation_point();
-      to_number(rows[i], out + i * width);
-    }
-  });
-  return read_only(array);
-}
-
-std::size_t num_bits(const Rational& integer) {
-  const std::vector<std::uint64_t> words = integer.to_words();
-  return words.empty() ? 0 : 64 * words.size() - static_cast<std::size_t>(std::countl_zero(words.back()));
-}
-
-Rational power_of_two(std::size_t exponent) {
-  std::vector<std::uint64_t> words(exponent / 64 + 1, 0);
-  words.back() = std::uint64_t{1} << (exponent % 64);
-  return Rational::from_words(words);
+  return rows_view(supervisor.run(to_numbers), rows.size(), width);
 }
 
 }  // namespace
@@ -331,21 +311,11 @@ py::array fraction_array(const RationalRows& rows, std::size_t width) {
 }
 
 py::array double_array(const RationalRows& rows, std::size_t width) {
-  return number_array(rows, width, [](std::span<const Rational> row, double* out) {
-    std::transform(row.begin(), row.end(), out, [](const Rational& x) { return x.to_double(); });
-  });
+  return number_array(rows, width, [&] { return rows.to_doubles(); });
 }
 
-py::array scaled_double_array(const RationalRows& rows, std::size_t width, std::size_t scaled) {
-  constexpr std::size_t most_bits = 1000;
-  return number_array(rows, width, [scaled](std::span<const Rational> row, double* out) {
-    std::size_t bits = 0;
-    for (const Rational& x : row.first(scaled)) bits = std::max(bits, num_bits(x));
-    const Rational power = bits > most_bits ? power_of_two(bits - most_bits) : Rational(1);
-    std::transform(row.begin(), row.end(), out, [&](const Rational& x) {
-      return bits > most_bits ? Rational(x, power).to_double() : x.to_double();
-    });
-  });
+py::array scaled_double_array(const RationalRows& rows, std::size_t width, std::size_t leading) {
+  return number_array(rows, width, [&] { return rows.to_scaled_doubles(leading); });
 }
 
 py::object to_int(const Rational& x) {

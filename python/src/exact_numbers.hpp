@@ -46,9 +46,8 @@ py::array integer_array(const RationalRows& rows, std::size_t width);
 py::array fraction_array(const RationalRows& rows, std::size_t width);
 /// The nearest doubles.
 py::array double_array(const RationalRows& rows, std::size_t width);
-/// The same of rows that mean what their multiples mean: a row that has an integer of more than 1000 bits
-/// among its first `scaled` is divided by a power of two.
-py::array scaled_double_array(const RationalRows& rows, std::size_t width, std::size_t scaled);
+/// The same by RationalRows::to_scaled_doubles().
+py::array scaled_double_array(const RationalRows& rows, std::size_t width, std::size_t leading);
 
 /// One number as fractions.Fraction.
 py::object to_fraction(const Rational& x);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/guarded.hpp"
+#include "base/progress_meter.hpp"
 #include "base/require_finite.hpp"
 #include "kernel/grid.hpp"
+#include "polyhedra/arithmetic.hpp"
 #include "polyhedra/fraction.hpp"
 
 #include <delone/arithmetic.hpp>
@@ -16,6 +18,7 @@
 
 namespace delone {
 
+using polyhedra::bit_length;
 using polyhedra::Fraction;
 using polyhedra::Integer;
 
@@ -250,7 +253,30 @@ void RationalRows::push_back(std::span<const Rational> row) {
 std::vector<double> RationalRows::to_doubles() const {
   std::vector<double> numbers;
   numbers.reserve(entries_.size());
-  for (const Rational& x : entries_) numbers.push_back(x.to_double());
+  for (const Rational& x : entries_) {
+    internal::cancellation_point();
+    numbers.push_back(x.to_double());
+  }
+  return numbers;
+}
+
+std::vector<double> RationalRows::to_scaled_doubles(std::size_t leading) const {
+  constexpr int most_bits = 1000;
+  std::vector<double> numbers;
+  numbers.reserve(entries_.size());
+  internal::guarded("numbers", [&] {
+    for (std::size_t row = 0; row < size_; ++row) {
+      internal::cancellation_point();
+      const std::span<const Rational> entries = (*this)[row];
+      int bits = 0;
+      for (const Rational& x : entries.first(leading))
+        if (!x.to_int64()) bits = std::max(bits, bit_length(Fraction::of(x).numerator));
+      const int shift = std::max(bits - most_bits, 0);
+      for (const Rational& x : entries)
+        numbers.push_back(shift == 0 ? x.to_double()
+                                     : kernel::nearest_double(Fraction::of(x).numerator, 1, -shift));
+    }
+  });
   return numbers;
 }
 
