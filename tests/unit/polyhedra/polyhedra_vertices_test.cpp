@@ -89,11 +89,11 @@ TEST(PolyhedraVertices, OfNone) {
 TEST(PolyhedraVertices, BadInput) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<double> a{1, 2, 3, 4, 5, nan}, b{1, 2, 3};
-  EXPECT_EQ(error_code([&] { polyhedra_vertices(a, b, 1, 2); }), Errc::not_finite);
-  EXPECT_EQ(error_code([&] { polyhedra_vertices(b, a, 1, 1); }), Errc::bad_dimension);
-  EXPECT_EQ(error_code([&] { polyhedra_vertices(b, b, 2, 1); }), Errc::bad_dimension);
-  EXPECT_EQ(error_code([&] { polyhedra_vertices(b, b, 0, 1); }), Errc::invalid_argument);
-  EXPECT_EQ(error_code([&] { polyhedra_vertices(b, b, 1, 0); }), Errc::bad_dimension);
+  EXPECT_EQ(test::code_of([&] { polyhedra_vertices(a, b, 1, 2); }), Errc::not_finite);
+  EXPECT_EQ(test::code_of([&] { polyhedra_vertices(b, a, 1, 1); }), Errc::bad_dimension);
+  EXPECT_EQ(test::code_of([&] { polyhedra_vertices(b, b, 2, 1); }), Errc::bad_dimension);
+  EXPECT_EQ(test::code_of([&] { polyhedra_vertices(b, b, 0, 1); }), Errc::invalid_argument);
+  EXPECT_EQ(test::code_of([&] { polyhedra_vertices(b, b, 1, 0); }), Errc::bad_dimension);
   try {
     polyhedra_vertices(a, b, 1, 2);
   } catch (const Error& error) {
@@ -105,11 +105,11 @@ TEST(PolyhedraVertices, BadInput) {
 TEST(PolyhedraVertices, EndEarly) {
   const Systems systems = random_systems(20000, 8, 3);
   const Options cancelled{.progress = [](double) { return false; }};
-  EXPECT_EQ(error_code([&] { polyhedra_vertices(systems.matrices, systems.bounds, 8, 3, cancelled); }),
+  EXPECT_EQ(test::code_of([&] { polyhedra_vertices(systems.matrices, systems.bounds, 8, 3, cancelled); }),
             Errc::cancelled);
-  EXPECT_EQ(
-      error_code([&] { polyhedra_vertices(systems.matrices, systems.bounds, 8, 3, {.time_limit = 1e-4}); }),
-      Errc::time_limit);
+  EXPECT_EQ(test::code_of(
+                [&] { polyhedra_vertices(systems.matrices, systems.bounds, 8, 3, {.time_limit = 1e-4}); }),
+            Errc::time_limit);
 }
 
 }  // namespace
