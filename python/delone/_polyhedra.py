@@ -9,7 +9,6 @@ from typing import Iterator, NamedTuple, Optional, Union
 import numpy as np
 
 from . import _core
-from ._data import text
 from ._files import _max_stream_bytes
 
 
@@ -125,7 +124,7 @@ def save(self, path, format: Optional[str] = None) -> None:
     -----
     All numbers are exact. The file appears whole or not at all.
     """
-    self._save(os.fsencode(path), text(format or "", "format"))
+    self._save(path, format or "")
 
 
 class GeneratorsOfPolyhedron(NamedTuple):

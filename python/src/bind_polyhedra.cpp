@@ -364,7 +364,8 @@ void bind_polyhedra(py::module_& module) {
       .def("__repr__", &repr_of_polyhedron)
       .def(
           "_save",
-          [](const HeldPolyhedron& held, const std::string& path, const std::string& format) {
+          [](const HeldPolyhedron& held, const py::object& to, const std::string& format) {
+            const auto path = py::module_::import("os").attr("fsencode")(to).cast<std::string>();
             held.ask([&](const Polyhedron& p) {
               write_polyhedron(path, p, format);
               return true;

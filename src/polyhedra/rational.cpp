@@ -170,7 +170,7 @@ Rational::Rational(const Rational& numerator, const Rational& denominator) {
 Rational Rational::from_words(std::span<const std::uint64_t> magnitude, bool is_negative) {
   return internal::guarded("a number", [&] {
     Integer integer;
-    mp::import_bits(integer, magnitude.begin(), magnitude.end(), 64, false);
+    if (!magnitude.empty()) mp::import_bits(integer, magnitude.begin(), magnitude.end(), 64, false);
     return Fraction::to_rational(is_negative ? Integer(-integer) : std::move(integer));
   });
 }

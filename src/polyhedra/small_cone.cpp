@@ -17,6 +17,8 @@ using kernel::Int128;
 namespace {
 
 constexpr double largest_exact = 0x1p53;
+/// The sum of 7! products, with a sign, has 14 bits more than they have.
+constexpr int bits_of_determinant = 512 - 14;
 constexpr std::uint64_t row_bit(std::size_t row) { return std::uint64_t{1} << row; }
 
 /// Each term of a minor, and of a row times minors, has had at most 27 roundings for d ≤ 6: products and sums
@@ -36,9 +38,9 @@ void for_each_row(std::uint64_t set, Use use) {
     if (!use(static_cast<std::size_t>(std::countr_zero(set)))) return;
 }
 
-/// Multiplies a row by a power of two so that its entries are integers below 2^62, if there is one.
+/// Multiplies a row by a power of two so that its entries are integers of that many bits, if there is one.
 template <class Entries>
-bool try_make_integers(Entries& row, std::size_t size) {
+bool try_make_integers(Entries& row, std::size_t size, int most_bits) {
   int low = std::numeric_limits<int>::max(), high = std::numeric_limits<int>::min();
   for (std::size_t c = 0; c < size; ++c) {
     if (row[c] == 0) continue;
@@ -49,7 +51,7 @@ bool try_make_integers(Entries& row, std::size_t size) {
     high = std::max(high, exponent);
   }
   if (high < low) return true;  // all zeros
-  if (high - low > 62) return false;
+  if (high - low > most_bits) return false;
   for (std::size_t c = 0; c < size; ++c) row[c] = std::ldexp(row[c], -low);
   return true;
 }
@@ -84,6 +86,7 @@ bool SmallCone::try_find(std::span<const double> matrix, std::span<const double>
 /// a·x ≤ b as −a·x + b·x_0 ≥ 0, and x_0 ≥ 0. Rows that hold everywhere are left out.
 bool SmallCone::try_set_rows(std::span<const double> matrix, std::span<const double> bounds) {
   const std::size_t d = dimension_;
+  const int most_bits = bits_of_determinant / static_cast<int>(d + 1);
   rows_.assign(1, {});
   rows_[0][d] = 1;
   for (std::size_t i = 0; i < bounds.size(); ++i) {
@@ -95,7 +98,7 @@ bool SmallCone::try_set_rows(std::span<const double> matrix, std::span<const dou
     }
     row[d] = bounds[i];
     if (!is_normal && bounds[i] >= 0) continue;
-    if (!try_make_integers(row, d + 1)) return false;
+    if (!try_make_integers(row, d + 1, most_bits)) return false;
     rows_.push_back(row);
   }
   return true;
@@ -235,6 +238,14 @@ bool SmallCone::is_surely_a_ray(const Ray& ray) const {
   return false;
 }
 
+/// Of an integer.
+SmallCone::Wide SmallCone::as_wide(double x) {
+  if (std::abs(x) < 0x1p62) return static_cast<std::int64_t>(x);
+  int exponent = 0;
+  const double fraction = std::frexp(x, &exponent);
+  return Wide(static_cast<std::int64_t>(fraction * 0x1p53)) * (Wide(1) << (exponent - 53));
+}
+
 int SmallCone::sign_at(std::size_t row, const Ray& ray) const {
   const std::array<double, most_entries>& a = rows_[row];
   double sum = 0, magnitude = 0;
@@ -246,17 +257,14 @@ int SmallCone::sign_at(std::size_t row, const Ray& ray) const {
     return sum > 0 ? 1 : sum < 0 ? -1 : 0;
   const std::array<Wide, most_entries> x = exact_minors(ray);
   Wide exact = 0;
-  for (std::size_t c = 0; c <= dimension_; ++c) exact += Wide(static_cast<std::int64_t>(a[c])) * x[c];
+  for (std::size_t c = 0; c <= dimension_; ++c) exact += as_wide(a[c]) * x[c];
   return ray.is_negated ? -exact.sign() : exact.sign();
 }
 
-/// Entries are below 2^62 and d ≤ 6: minors are below 2^383, and a row times minors is below 2^448.
 std::array<SmallCone::Wide, SmallCone::most_entries> SmallCone::exact_minors(const Ray& ray) const {
   std::array<Wide, most_entries> x;
   find_minors(
-      dimension_,
-      [&](std::size_t i, std::size_t c) { return Wide(static_cast<std::int64_t>(rows_[ray.on[i]][c])); },
-      x.data());
+      dimension_, [&](std::size_t i, std::size_t c) { return as_wide(rows_[ray.on[i]][c]); }, x.data());
   return x;
 }
 

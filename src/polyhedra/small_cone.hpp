@@ -66,6 +66,7 @@ class SmallCone {
   bool try_make_ray(RowSet zeros, RowSet common, RowSet done, Ray& made) const;
   void set_minors(Ray& ray) const;
   bool is_surely_a_ray(const Ray& ray) const;
+  static Wide as_wide(double x);
   int sign_at(std::size_t row, const Ray& ray) const;
   std::array<Wide, most_entries> exact_minors(const Ray& ray) const;
   Row exact_ray(const Ray& ray) const;
