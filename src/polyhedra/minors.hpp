@@ -21,18 +21,18 @@ template <bool is_magnitude = false, class T, class RowAt>
 void find_minors(std::size_t d, const RowAt& row_at, T* out) {
   std::array<T, std::size_t{1} << (most_rows_of_minors + 1)> minors;
   const std::size_t columns = d + 1, all = (std::size_t{1} << columns) - 1;
-  minors[0] = 1;
   for (std::size_t set = 1; set < all; ++set) {
     const auto row = static_cast<std::size_t>(std::popcount(set)) - 1;
-    T sum = 0;
+    T sum{};
     bool is_negative = false;  // the sign of the last column is positive
     for (std::size_t c = columns; c-- > 0;) {
       if ((set >> c & 1) == 0) continue;
-      const T term = row_at(row, c) * minors[set & ~(std::size_t{1} << c)];
+      const T entry = row_at(row, c);
+      const T term = row == 0 ? entry : entry * minors[set & ~(std::size_t{1} << c)];
       if (!is_magnitude && is_negative)
-        sum -= term;
+        sum = sum - term;
       else
-        sum += term;
+        sum = sum + term;
       is_negative = !is_negative;
     }
     minors[set] = sum;

@@ -5,7 +5,7 @@
 // Rows are doubles scaled to integers. A ray is a set of d rows on which it is zero, and the minors of these
 // in binary64. Signs are certain where the sums of the magnitudes of all products are below 2^53, because
 // nothing is rounded then; otherwise where they exceed the bound of the error, and where not, integers of 512
-// bits decide. Vertices are the quotients of two minors, correctly rounded.
+// bits decide. Vertices are the quotients of two minors, correctly rounded: in pairs of doubles, or exactly.
 //
 // Not all is done here: try_find() says no for polyhedra that are flat or have lines, for numbers of very
 // different sizes, and for many rows or rays. It never says anything that is not certain.
@@ -73,10 +73,12 @@ class SmallCone {
   bool is_edge(const Ray& a, const Ray& b) const;
   void collect();
   void round(Corner& corner) const;
+  bool try_round(Corner& corner) const;
   bool precedes(const Corner& a, const Corner& b) const;
 
   std::size_t dimension_ = 0;
   std::vector<std::array<double, most_entries>> rows_;  // the first one is that of infinity
+  std::array<RowSet, most_dimensions> axis_rows_{};     // those of the form x[c] ≤ b or ≥ b
   std::vector<Ray> rays_, next_;
   std::vector<double> vertices_;
   Rows directions_;
