@@ -365,3 +365,33 @@ def test_they_are_compared_as_sets():
     assert SQUARE != "square" and (SQUARE == 1) is False and SQUARE != None  # noqa: E711
     assert len({SQUARE, Polyhedron(cross(2), [1, 1, 0, 0]), SQUARE.product(SQUARE)}) == 2
     assert len(SQUARE.hash) == 32 and int(SQUARE.hash, 16) >= 0
+
+
+@pytest.mark.parametrize("m, d", [(4, 1), (6, 2), (8, 3), (9, 4), (3, 3), (70, 2), (9, 7)])
+@pytest.mark.parametrize("kind", ["integers", "halves", "doubles"])
+def test_many_at_once(kind, m, d):
+    r = np.random.default_rng([m, d])
+    n = 60 if d < 7 else 5
+    a = r.standard_normal((n, m, d)) if kind == "doubles" else r.integers(-2, 3, (n, m, d)) / (2 if kind == "halves" else 1)
+    b = r.random((n, m)) if kind == "doubles" else r.integers(-1, 4, (n, m))
+    if kind == "halves" and m > 3:
+        a[:, 0], b[:, 0] = -a[:, 1], -b[:, 1]  # flat ones
+    found = delone.polyhedra_vertices(a, b)
+    assert len(found) == n and repr(found).startswith(f"<delone.PolyhedraVertices: {n} polyhedra, ")
+    for one, matrix, bounds in zip(found, a, b):
+        p = Polyhedron(matrix, bounds)
+        assert one.affine_dimension == p.affine_dimension
+        for ours, theirs in zip(one[1:], (p.vertices, p.rays, p.lines)):
+            np.testing.assert_array_equal(ours, theirs)
+    for threads in (1, 3):
+        again = delone.polyhedra_vertices(a, b, threads=threads)
+        assert all((getattr(again, name) == getattr(found, name)).all() for name in delone.PolyhedraVertices.__slots__)
+
+
+def test_many_of_one_matrix():
+    boxes = delone.polyhedra_vertices(np.r_[np.eye(2), -np.eye(2)], [[1, 1, 0, 0], [2, 3, -2, 0], [1, 1, -2, 0]])
+    assert boxes.affine_dimensions.tolist() == [2, 1, -1] and [len(each.vertices) for each in boxes] == [4, 2, 0]
+    assert boxes[-1] is not None and boxes[1:][0].vertices.tolist() == [[2, 0], [2, 3]] and not boxes.vertices.flags.writeable
+    with pytest.raises(IndexError, match="polyhedron 3 of 3"):
+        boxes[3]
+    assert len(delone.polyhedra_vertices(np.zeros((0, 3, 2)), np.zeros((0, 3)))) == 0
