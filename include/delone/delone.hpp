@@ -29,6 +29,7 @@
 #include <delone/point_locator.hpp>
 #include <delone/point_sets.hpp>
 #include <delone/points.hpp>
+#include <delone/polyhedra_vertices.hpp>
 #include <delone/polyhedron.hpp>
 #include <delone/polyhedron_io.hpp>
 #include <delone/predicates.hpp>

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -38,10 +39,17 @@ class DELONE_EXPORT Rational {
   explicit Rational(std::string_view text);
   /// Throws Errc::invalid_argument for a denominator of 0.
   Rational(const Rational& numerator, const Rational& denominator);
+  /// The integer of these words, the lowest first.
+  static Rational from_words(std::span<const std::uint64_t> magnitude, bool is_negative = false);
 
   Rational numerator() const;
   Rational denominator() const;
   bool is_integer() const;
+  bool is_negative() const;
+  /// The number, if it is an integer that fits.
+  std::optional<std::int64_t> to_int64() const;
+  /// The magnitude of the numerator, the lowest word first and the highest one not 0; none for 0.
+  std::vector<std::uint64_t> to_words() const;
   /// Decimal digits, "3/7" or "-12".
   std::string to_string() const;
   /// The nearest double, ties to even; ±infinity beyond all doubles.
@@ -79,6 +87,9 @@ class DELONE_EXPORT RationalRows {
   void push_back(std::span<const Rational> row);
   /// The nearest doubles.
   std::vector<double> to_doubles() const;
+  /// The same of rows of integers that mean what their positive multiples mean: a row that has an integer of
+  /// more than 1000 bits among its first `leading` entries is divided by a power of two.
+  std::vector<double> to_scaled_doubles(std::size_t leading) const;
 
   friend bool operator==(const RationalRows&, const RationalRows&) = default;
 

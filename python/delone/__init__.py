@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Exact Delaunay and regular triangulations, convex hulls, intersections of halfspaces, Voronoi and power diagrams.
+"""Exact Delaunay and regular triangulations, convex hulls, intersections of halfspaces, polyhedra, Voronoi and power diagrams.
 
 Arguments and results are NumPy arrays. Results are exact functions of the input: flat, duplicate and cospherical points are
 ordinary input, and no tolerance decides anything unless one is given. `delone.spatial` and `delone.interpolate` have the names
@@ -12,8 +12,8 @@ contains all points, and m the number of cells. Rows and cells are numbered from
 import importlib as _importlib
 
 from ._core import (AlphaComplex, CancelledError, ConvexHull, Delaunay, Error, Faces, Forecast, FurthestSite, FurthestVoronoi, HalfspaceIntersection, InputError,
-                    LinearInterpolator, LowerHull, NaturalNeighborInterpolator, OutOfMemoryError, PowerDiagram, Regular, TimeLimitError,
-                    TrimResult, Voronoi, __version__, estimate, forecast, natural_neighbors)
+                    LinearInterpolator, LowerHull, NaturalNeighborInterpolator, OutOfMemoryError, Polyhedron, PowerDiagram, Regular,
+                    TimeLimitError, TrimResult, Voronoi, __version__, estimate, forecast, natural_neighbors)
 from ._changes import Changes
 from ._clipped_regions import ClippedRegions
 from ._convex_hulls import ConvexHulls, convex_hulls
@@ -23,15 +23,16 @@ from ._locations import Locations
 from ._methods import attach as _attach
 from ._missing import attach as _attach_missing
 from ._patch import patch_scipy, scipy_is_patched, unpatch_scipy
+from ._polyhedra import Optimum, PolyhedraVertices, polyhedra_vertices, read_polyhedron
 
 __all__ = ["AlphaComplex", "CancelledError", "Changes", "CheckReport", "ClippedRegions", "ComplexData", "ConvexHull", "ConvexHulls", "Data", "Delaunay", "Error", "Faces",
            "Forecast", "FurthestSite", "FurthestVoronoi", "HalfspaceIntersection", "HullData", "InputError", "IntersectionData", "LinearInterpolator", "Locations",
-           "LowerHull", "NaturalNeighborInterpolator", "OutOfMemoryError", "PowerDiagram", "Regular", "TimeLimitError", "TrimResult", "Voronoi",
+           "LowerHull", "NaturalNeighborInterpolator", "Optimum", "OutOfMemoryError", "PolyhedraVertices", "Polyhedron", "PowerDiagram", "Regular", "TimeLimitError", "TrimResult", "Voronoi",
            "VoronoiData", "__version__", "check", "convex_hulls", "estimate", "forecast", "generate", "lower_hull", "natural_neighbors",
-           "patch_scipy", "read", "scipy_is_patched", "unpatch_scipy", "write_points"]
+           "patch_scipy", "polyhedra_vertices", "read", "read_polyhedron", "scipy_is_patched", "unpatch_scipy", "write_points"]
 
 for _name in __all__:
-    if getattr(globals()[_name], "__module__", "").startswith(("delone._core", "delone._changes", "delone._clipped_regions", "delone._convex_hulls", "delone._data", "delone._files")):
+    if getattr(globals()[_name], "__module__", "").startswith(("delone._core", "delone._changes", "delone._clipped_regions", "delone._convex_hulls", "delone._data", "delone._files", "delone._polyhedra")):
         globals()[_name].__module__ = "delone"
 del _name
 _attach()

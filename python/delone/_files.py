@@ -18,6 +18,7 @@ if TYPE_CHECKING:  # it takes longer to import than the module itself
     import numpy.typing as npt
 
 _formats_of_results = ("npz", "json", "off")
+_formats_of_polyhedra = ("ine", "ext")
 _max_stream_bytes = 1 << 32
 _levels = {"complex": 6, "hull": 5, "diagram": 5, "intersection": 3}
 _levels_of_kinds = {"alpha_complex": 3, "trimmed": 3, "alpha_boundary": 2, "hull_boundary": 5}
@@ -27,8 +28,8 @@ def read(path, *, format: Optional[str] = None, columns: Optional[Sequence[Union
          threads: int = 0, frame: bool = False) -> Any:
     """Read points or a result from a file.
 
-    npz, json and off files hold points or a result; npy, csv, tsv, txt, xyz, pts, ply, pdb, las and qhull files hold points. A folder of
-    tiles is opened as `delone.tiles.Tiles`. docs/formats.md describes the formats.
+    npz, json and off files hold points or a result; npy, csv, tsv, txt, xyz, pts, ply, pdb, las and qhull files hold points; ine and
+    ext files hold a polyhedron. A folder of tiles is opened as `delone.tiles.Tiles`. docs/formats.md describes the formats.
 
     Parameters
     ----------
@@ -49,8 +50,9 @@ def read(path, *, format: Optional[str] = None, columns: Optional[Sequence[Union
 
     Returns
     -------
-    numpy.ndarray, pandas.DataFrame, Data or delone.tiles.Tiles
-        Points as an (n, d) float64 array; a result as `ComplexData`, `HullData`, `IntersectionData` or `VoronoiData`.
+    numpy.ndarray, pandas.DataFrame, Data, Polyhedron or delone.tiles.Tiles
+        Points as an (n, d) float64 array; a result as `ComplexData`, `HullData`, `IntersectionData` or `VoronoiData`; a polyhedron as
+        `read_polyhedron` returns it.
     skipped : (m,) ndarray of int64
         With `skip_missing` only: the rows of the file that were left out, increasing. Points are numbered without them. The rows
         of the file that the points come from are ``np.delete(np.arange(n + m), skipped)``; they are the index of a DataFrame.
@@ -105,6 +107,10 @@ def read(path, *, format: Optional[str] = None, columns: Optional[Sequence[Union
     threads = whole(threads, "threads")
     wanted = _format_of(name, format)
     chosen = None if columns is None else _columns(columns)
+    if wanted in _formats_of_polyhedra:
+        if chosen is not None or skip_missing or frame:
+            raise TypeError(f"columns, skip_missing and frame are for points; {name} holds a polyhedron")
+        return _core.Polyhedron._read(os.fsencode(name), _max_stream_bytes, threads, None, None, None)
     if chosen is None and wanted in _formats_of_results and not (skip_missing and wanted == "off"):
         data = from_core(*_core._read(os.fsencode(name), wanted, _max_stream_bytes))
         if wanted != "off" or len(data.cells):

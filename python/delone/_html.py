@@ -243,3 +243,23 @@ def intersection(self):
     if len(edges) <= 60:
         picture.dots(ends, **DOTS)
     return page("HalfspaceIntersection", figures, picture, _drawn(len(edges), num_edges, "edges") + _seen(self.dimension))
+
+
+@safely
+def polyhedron(self):
+    flat = self.affine_dimension if self.affine_dimension != self.dimension else None
+    figures = [("dimension", self.dimension), ("affine dimension", flat), ("vertices", self.num_vertices), ("rays", self.num_rays or None),
+               ("lines", self.num_lines or None), ("facets", self.num_inequalities)]
+    if self.is_empty:
+        return page("Polyhedron", [("dimension", self.dimension), ("state", "empty")], "", "")
+    if self.is_bounded and self.dimension <= 3 and self.num_vertices <= 1000:
+        figures.append(("volume", self.volume))
+    if self.num_vertices > 2000 or not len(self.adjacent_vertices):
+        return page("Polyhedron", figures, "", "")
+    edges = self.vertices[self.adjacent_vertices]
+    drawn = edges[::-(-len(edges) // (CORNERS // 3))]
+    picture = Picture(self.vertices.min(axis=0), self.vertices.max(axis=0))
+    picture.shapes(drawn, False, **EDGE)
+    if len(drawn) <= 60:
+        picture.dots(drawn.reshape(-1, self.dimension), **DOTS)
+    return page("Polyhedron", figures, picture, _drawn(len(drawn), len(edges), "edges") + _seen(self.dimension))

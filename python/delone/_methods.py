@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import types
 
-from . import _clipped_regions, _core, _export, _files, _frames, _html, _plot, _viewer
+from . import _clipped_regions, _core, _export, _files, _frames, _html, _plot, _polyhedra, _viewer
 from ._transform import transform
 
 OF = {
@@ -23,6 +23,7 @@ OF = {
     _core.HalfspaceIntersection: {"plot": _plot.intersection, "_repr_html_": _html.intersection, "to_frame": _frames.intersection,
                                   "to_html": _viewer.intersection, "save": _files.save, "to_data": _files.to_data,
                                   **_export.methods(_export.intersection)},
+    _core.Polyhedron: {"_repr_html_": _html.polyhedron, "save": _polyhedra.save},
 }
 
 

@@ -15,11 +15,6 @@
 namespace delone::python {
 namespace {
 
-/// For loops over objects: signal handlers of Python run now and then, and may raise.
-void let_signals_through(py::ssize_t round) {
-  if (round % 4096 == 0 && PyErr_CheckSignals() != 0) throw py::error_already_set();
-}
-
 /// Raises InputError for entry `index` of the array, naming its row.
 [[noreturn]] void refuse_entry(const std::string& name, py::ssize_t index, const py::array& array,
                                const std::string& why) {

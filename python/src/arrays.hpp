@@ -46,6 +46,11 @@ void require_index(const py::object& object, const py::object& index, const std:
 /// As as_doubles(); complex numbers as complex128.
 py::array as_numbers(const py::object& object, const std::string& name);
 
+/// For loops over objects: signal handlers of Python run now and then, and may raise.
+inline void let_signals_through(py::ssize_t round) {
+  if (round % 4096 == 0 && PyErr_CheckSignals() != 0) throw py::error_already_set();
+}
+
 inline std::span<const double> numbers(const py::array_t<double>& array) {
   return {array.data(), static_cast<std::size_t>(array.size())};
 }

@@ -71,11 +71,13 @@ RationalRows to_public(const Rows& rows, std::size_t first, std::size_t last, st
                        bool negates) {
   std::vector<Rational> entries;
   entries.reserve((last - first) * width);
-  for (std::size_t i = first; i < last; ++i)
+  for (std::size_t i = first; i < last; ++i) {
+    internal::cancellation_point();
     for (std::size_t c = 0; c < width; ++c) {
       const bool is_negated = negates && c + 1 < width;
       entries.push_back(Fraction::to_rational(is_negated ? Integer(-rows[i][c]) : rows[i][c]));
     }
+  }
   if (width > 0) return {std::move(entries), width};
   RationalRows none;  // of R^0
   for (std::size_t i = first; i < last; ++i) none.push_back({});
@@ -187,13 +189,15 @@ std::size_t Polyhedron::num_equations() const { return impl_->description.equati
 RationalRows Polyhedron::vertices() const {
   return internal::guarded("vertices", [&] {
     const Description& own = impl_->description;
-    RationalRows rows = to_public(own.generators, 0, own.num_vertices, own.dimension, false);
+    if (own.dimension == 0) return to_public(own.generators, 0, own.num_vertices, 0, false);
     std::vector<Rational> entries;
-    entries.reserve(rows.entries().size());
-    for (std::size_t i = 0; i < own.num_vertices; ++i)
+    entries.reserve(own.num_vertices * own.dimension);
+    for (std::size_t i = 0; i < own.num_vertices; ++i) {
+      internal::cancellation_point();
       for (std::size_t c = 0; c < own.dimension; ++c)
         entries.push_back(Fraction::to_rational(own.generators[i][c], own.generators[i].back()));
-    return own.dimension == 0 ? rows : RationalRows(std::move(entries), own.dimension);
+    }
+    return RationalRows(std::move(entries), own.dimension);
   });
 }
 RationalRows Polyhedron::vertex_integers() const {

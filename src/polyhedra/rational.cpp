@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/guarded.hpp"
+#include "base/progress_meter.hpp"
 #include "base/require_finite.hpp"
 #include "kernel/grid.hpp"
+#include "polyhedra/arithmetic.hpp"
 #include "polyhedra/fraction.hpp"
 
 #include <delone/arithmetic.hpp>
@@ -9,12 +11,14 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <utility>
 
 namespace delone {
 
+using polyhedra::bit_length;
 using polyhedra::Fraction;
 using polyhedra::Integer;
 
@@ -163,6 +167,14 @@ Rational::Rational(const Rational& numerator, const Rational& denominator) {
   });
 }
 
+Rational Rational::from_words(std::span<const std::uint64_t> magnitude, bool is_negative) {
+  return internal::guarded("a number", [&] {
+    Integer integer;
+    if (!magnitude.empty()) mp::import_bits(integer, magnitude.begin(), magnitude.end(), 64, false);
+    return Fraction::to_rational(is_negative ? Integer(-integer) : std::move(integer));
+  });
+}
+
 Rational Rational::numerator() const {
   return large_ ? Fraction::to_rational(large_->numerator) : numerator_;
 }
@@ -170,6 +182,20 @@ Rational Rational::denominator() const {
   return large_ ? Fraction::to_rational(large_->denominator) : denominator_;
 }
 bool Rational::is_integer() const { return large_ ? large_->denominator == 1 : denominator_ == 1; }
+bool Rational::is_negative() const { return large_ ? large_->numerator < 0 : numerator_ < 0; }
+
+std::optional<std::int64_t> Rational::to_int64() const {
+  return large_ || denominator_ != 1 ? std::nullopt : std::optional(numerator_);
+}
+
+std::vector<std::uint64_t> Rational::to_words() const {
+  return internal::guarded("a number", [&] {
+    std::vector<std::uint64_t> words;
+    const Integer magnitude = mp::abs(large_ ? large_->numerator : Integer(numerator_));
+    if (magnitude != 0) mp::export_bits(magnitude, std::back_inserter(words), 64, false);
+    return words;
+  });
+}
 
 std::string Rational::to_string() const {
   if (!large_)
@@ -227,7 +253,30 @@ void RationalRows::push_back(std::span<const Rational> row) {
 std::vector<double> RationalRows::to_doubles() const {
   std::vector<double> numbers;
   numbers.reserve(entries_.size());
-  for (const Rational& x : entries_) numbers.push_back(x.to_double());
+  for (const Rational& x : entries_) {
+    internal::cancellation_point();
+    numbers.push_back(x.to_double());
+  }
+  return numbers;
+}
+
+std::vector<double> RationalRows::to_scaled_doubles(std::size_t leading) const {
+  constexpr int most_bits = 1000;
+  std::vector<double> numbers;
+  numbers.reserve(entries_.size());
+  internal::guarded("numbers", [&] {
+    for (std::size_t row = 0; row < size_; ++row) {
+      internal::cancellation_point();
+      const std::span<const Rational> entries = (*this)[row];
+      int bits = 0;
+      for (const Rational& x : entries.first(leading))
+        if (!x.to_int64()) bits = std::max(bits, bit_length(Fraction::of(x).numerator));
+      const int shift = std::max(bits - most_bits, 0);
+      for (const Rational& x : entries)
+        numbers.push_back(shift == 0 ? x.to_double()
+                                     : kernel::nearest_double(Fraction::of(x).numerator, 1, -shift));
+    }
+  });
   return numbers;
 }
 

@@ -52,6 +52,8 @@ def makers():
         "HalfspaceIntersection": delone.HalfspaceIntersection(rows, [0.0, 0.0]), "TrimResult": delone.Delaunay(points).trim(0.05),
         "LinearInterpolator": delone.LinearInterpolator(points, points @ [1, 2j]),
         "NaturalNeighborInterpolator": delone.NaturalNeighborInterpolator(points, points[:, 0], smooth=True),
+        "Polyhedron": delone.Polyhedron(np.round(rows[:, :2], 2), [1] * 12), "cone": delone.Polyhedron.from_generators(rays=np.eye(3, dtype=int)),
+        "PolyhedraVertices": delone.polyhedra_vertices([np.eye(2)], [[1, 2]]),
         "LowerHull": delone.LowerHull(space), "ComplexData": delone.Delaunay(points).to_data(),
         "Faces": delone.Delaunay(points).faces(1), "Forecast": delone.forecast(2, 12),
         "Locations": delone.Delaunay(points).locate(points + 0.1), "ConvexHulls": delone.convex_hulls([points, points[:5]]),

@@ -27,6 +27,9 @@ QUICK = {
     "delone.Regular": "__copy__ __getstate__ clone hidden num_hidden weights",
     "delone.HalfspaceIntersection": "__getstate__ columns dimension halfspaces num_halfspaces plot rank state statistics to_meshio to_pyvista "
                                     "to_vtk",
+    "delone.PolyhedraVertices": "__getitem__ __init__ __iter__ __len__ __repr__",
+    "delone.Polyhedron": "__repr__ affine_dimension dimension empty facets_of_ray facets_of_vertex is_bounded is_empty num_equations num_inequalities "
+                         "num_lines num_rays num_vertices rays_of_facet redundant_rows row_kinds space vertices_of_facet",
     "delone.LinearInterpolator": "__getstate__ __repr__ tolerance triangulation values",
     "delone.NaturalNeighborInterpolator": "__getstate__ __repr__ smooth tolerance triangulation values",
     "delone.PowerDiagram": "__repr__ weights",
@@ -74,6 +77,9 @@ def wild(n, d):
 
 def halfspaces(n, d):
     return np.c_[sphere(n, d), -np.ones(n)]
+
+def cube(d):
+    return delone.Polyhedron(np.r_[np.eye(d), -np.eye(d)], np.ones(2 * d))
 '''
 
 # The work that is interrupted, after some preparation. `of`: other entries that do the same.
@@ -156,6 +162,25 @@ LONG = {
     "delone.HalfspaceIntersection.volume": ("made = delone.HalfspaceIntersection(halfspaces(40, 7), [0] * 7)", "made.volume"),
     "delone.HalfspaceIntersection.dual_volume": ("made = delone.HalfspaceIntersection(halfspaces(2000, 7), [0] * 7)", "made.dual_volume",
                                                  "dual_area"),
+    "delone.Polyhedron.__init__": ("", "delone.Polyhedron(sphere(60, 9), np.ones(60))",
+                                   "from_generators convex_union image intersection minkowski_sum polar preimage projection"),
+    "delone.Polyhedron.vertices": ("p = cube(17)", "p.vertices", "__getstate__ equation_integers equations inequalities inequality_integers line_integers "
+                                   "lines ray_integers rays vertex_integers"),
+    "delone.Polyhedron.vertex_fractions": ("p = cube(17)", "p.vertex_fractions"),
+    "delone.Polyhedron.adjacent_vertices": ("p = cube(17)", "p.adjacent_vertices", "adjacent_facets"),
+    "delone.Polyhedron.f_vector": ("p = cube(12)", "p.f_vector"),
+    "delone.Polyhedron.volume": ("p = cube(12)", "p.volume", "volume_fraction"),
+    "delone.Polyhedron.contains": ("p = cube(8)", "p.contains(random.random((300_000, 8)))"),
+    "delone.Polyhedron.includes": ("p, q = cube(16), cube(16)", "p.includes(q)"),
+    "delone.Polyhedron.maximize": ("p = cube(16)", "[p.maximize(c) for c in random.random((100, 16))]", "minimize"),
+    "delone.Polyhedron.bounding_box": ("p = cube(17)", "p.bounding_box", "bounding_box_fractions integer_bounding_box"),
+    "delone.Polyhedron.hash": ("p = cube(17)", "[p.hash for _ in range(100)]"),
+    "delone.Polyhedron.product": ("p, q = cube(9), cube(9)", "p.product(q)"),
+    "delone.Polyhedron.save": ("p = cube(17)", "p.save('/dev/null', 'ext')"),
+    "delone.read_polyhedron": ("import tempfile; path = tempfile.mkdtemp() + '/a.ine'; rows = np.c_[np.ones(60), sphere(60, 9)]; file = open(path, 'w'); "
+                               "file.write('begin\\n60 10 real\\n' + '\\n'.join(' '.join(map(repr, row)) for row in rows.tolist()) + '\\nend\\n'); file.close()",
+                               "delone.read_polyhedron(path)"),
+    "delone.polyhedra_vertices": ("b = np.ones((1_000_000, 8)); A = random.standard_normal((1_000_000, 8, 3))", "delone.polyhedra_vertices(A, b)"),
     "delone.FurthestVoronoi.__init__": ("t = delone.FurthestSite(sphere(1000, 6))", "delone.FurthestVoronoi(t)"),
     "delone.Voronoi.__init__": ("t = delone.Delaunay(random.random((3000, 6)))", "delone.Voronoi(t)"),
     "delone.PowerDiagram.__init__": ("t = delone.Regular(random.random((3000, 6)), np.zeros(3000))", "delone.PowerDiagram(t, tolerance=0.01)"),
@@ -238,7 +263,7 @@ def public():
     """All functions, constructors and members, by the class that has them."""
     called = {"__call__", "__copy__", "__getitem__", "__getstate__", "__init__", "__iter__", "__len__", "__reduce__", "__repr__"}
     for cls in classes():
-        if cls.__name__ not in ("Forecast", "HullOfSet", "Part", "PartIndex", "Report", "CheckReport", "_Patched"):
+        if cls.__name__ not in ("Forecast", "HullOfSet", "Part", "PartIndex", "Report", "CheckReport", "GeneratorsOfPolyhedron", "Optimum", "_Patched"):
             plain = cls.__module__ == "delone" or cls.__module__.startswith("delone._c") and cls.__name__ == "ConvexHulls"
             place = f"delone.{cls.__name__}" if plain else f"{cls.__module__}.{cls.__name__}"
             for name, member in vars(cls).items():

@@ -42,6 +42,9 @@ MAKERS = {
     "Voronoi": lambda: delone.Voronoi(POINTS),
     "PowerDiagram": lambda: delone.PowerDiagram(regular()),
     "HalfspaceIntersection": lambda: delone.HalfspaceIntersection(halfspaces()),
+    "Polyhedron": lambda: delone.Polyhedron(np.r_[POINTS[:20], POINTS[:3]], np.r_[np.ones(20), 1, 2, 3]),
+    "Polyhedron of generators": lambda: delone.Polyhedron.from_generators(POINTS[:9], POINTS[9:11] + 1),
+    "PolyhedraVertices": lambda: delone.polyhedra_vertices(POINTS[:20].reshape(5, 4, 3), np.ones((5, 4))),
     "HalfspaceIntersection of a point": lambda: delone.HalfspaceIntersection(halfspaces(), [0.01, 0.02, 0.03]),
     "LinearInterpolator": lambda: delone.LinearInterpolator(delone.Delaunay(POINTS), POINTS @ [1, 2, 3j], outside="nearest"),
     "NaturalNeighborInterpolator": lambda: delone.NaturalNeighborInterpolator(
@@ -109,8 +112,8 @@ def test_a_copied_interpolator_works():
 
 
 @pytest.mark.parametrize("kind", [delone.Delaunay, delone.Regular, delone.FurthestSite, delone.ConvexHull, delone.HalfspaceIntersection,
-                                  delone.LinearInterpolator, delone.NaturalNeighborInterpolator, delone.TrimResult])
-@pytest.mark.parametrize("size", [3, 5, 7])
+                                  delone.LinearInterpolator, delone.NaturalNeighborInterpolator, delone.Polyhedron, delone.TrimResult])
+@pytest.mark.parametrize("size", [3, 5, 6, 7])
 def test_a_broken_state_is_refused(kind, size):
     for entry in (1, None, "as_given", [], np.zeros((3, 2))):
         made = kind.__new__(kind)

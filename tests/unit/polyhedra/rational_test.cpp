@@ -6,8 +6,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace delone {
 namespace {
@@ -47,6 +50,28 @@ TEST(Rational, OfFractions) {
   EXPECT_THROW(Rational(1, 0), Error);
 }
 
+TEST(Rational, OfWords) {
+  using Words = std::vector<std::uint64_t>;
+  const auto of = [](const Words& words, bool is_negative = false) {
+    return Rational::from_words(words, is_negative);
+  };
+  EXPECT_EQ(of({}), Rational(0));
+  EXPECT_EQ(of({0, 0}, true), Rational(0));
+  EXPECT_EQ(of({7, 0}, true), Rational(-7));
+  EXPECT_EQ(of({0, 1}).to_string(), "18446744073709551616");
+  constexpr auto least = std::numeric_limits<std::int64_t>::min();
+  EXPECT_EQ(of({std::uint64_t{1} << 63}, true), Rational(least));
+  EXPECT_EQ(of({std::uint64_t{1} << 63}, true).to_int64(), least);
+  EXPECT_EQ(of({std::uint64_t{1} << 63}).to_int64(), std::nullopt);
+  EXPECT_EQ(Rational("1/2").to_int64(), std::nullopt);
+  for (const char* const text :
+       {"0", "-1", "18446744073709551615", "-123456789012345678901234567890123456789"})
+    EXPECT_EQ(of(Rational(text).to_words(), Rational(text).is_negative()), Rational(text));
+  EXPECT_EQ(Rational("-18446744073709551616/3").to_words(), (Words{0, 1}));
+  EXPECT_EQ(Rational("-1/7").is_negative(), true);
+  EXPECT_EQ(Rational("1e30").is_negative(), false);
+}
+
 TEST(Rational, IsOrdered) {
   const std::vector<Rational> increasing{Rational("-1e30"), Rational(-2),      Rational("-1/3"),
                                          Rational(0),       Rational("1e-30"), Rational("1/3"),
@@ -80,6 +105,20 @@ TEST(RationalRows, HaveOneWidth) {
     EXPECT_EQ(error.code(), Errc::not_finite);
     EXPECT_THAT(error.rows(), testing::ElementsAre(1));
   }
+}
+
+TEST(RationalRows, ScaledDoubles) {
+  const std::string zeros(400, '0');
+  const RationalRows rows{
+      {3, -4, 5}, {Rational("1" + zeros), 1, Rational("-3" + zeros)}, {1, 2, Rational("1" + zeros)}};
+  const std::vector<double> numbers = rows.to_scaled_doubles(2);
+  EXPECT_EQ(numbers[1], -4);
+  EXPECT_GE(numbers[3], 0x1p999);
+  EXPECT_LT(numbers[3], 0x1p1000);
+  EXPECT_EQ(numbers[5],
+            Rational(Rational("-3" + zeros), Rational::from_words(Rational(0x1p329).to_words())).to_double());
+  EXPECT_EQ(numbers[7], 2);
+  EXPECT_EQ(numbers[8], std::numeric_limits<double>::infinity());
 }
 
 }  // namespace
