@@ -95,14 +95,18 @@ convex_hulls <- function(sets, groups = NULL, threads = NULL) {
     sets <- lapply(split(seq_len(nrow(all)), groups), function(rows) all[rows, , drop = FALSE])
   }
   if (!is.list(sets) || is.data.frame(sets) || !length(sets)) raise("invalid_argument", "sets: a list of matrices is needed, or groups")
-  for (i in seq_along(sets)) {
-    name <- paste0("set ", i)
-    sets[[i]] <- as_points(sets[[i]], name)
-    if (ncol(sets[[i]]) != ncol(sets[[1]]))
-      raise("bad_dimension", paste0(name, " has ", ncol(sets[[i]]), " columns, and the first one ", ncol(sets[[1]])))
+  is_plain <- vapply(sets, function(set) is.double(set) && is.matrix(set), TRUE)
+  for (i in which(!is_plain)) sets[[i]] <- as_points(sets[[i]], paste0("set ", i), finite = FALSE)
+  widths <- vapply(sets, ncol, 1L)
+  if (widths[1] < 1) raise("bad_dimension", "set 1: there is no column")
+  if (any(widths != widths[1])) {
+    bad <- which(widths != widths[1])[1]
+    raise("bad_dimension", paste0("set ", bad, " has ", widths[bad], " columns, and the first one ", widths[1]))
   }
+  all <- t(do.call(rbind, unname(sets)))
+  if (!all(is.finite(all))) for (i in seq_along(sets)) as_points(sets[[i]], paste0("set ", i))
   offsets <- as.double(cumsum(c(0, vapply(sets, nrow, 1L))))
-  made <- as_object(.Call(C_convex_hulls, do.call(cbind, lapply(unname(sets), t)), offsets, options_list(threads = threads)))
+  made <- as_object(.Call(C_convex_hulls, all, offsets, options_list(threads = threads)))
   structure(list(pointer = pointer_of(made), columns = colnames(sets[[1]]), offsets = offsets, labels = names(sets)), class = class(made))
 }
 

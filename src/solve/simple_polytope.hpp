@@ -43,6 +43,7 @@ class SimplePolytope {
   /// The face of the given dimension on the facets on_, with the corners face_[first…last).
   Face find_face(std::size_t dimension, std::size_t first, std::size_t last);
   Face measure_face(std::size_t dimension, std::size_t first, std::size_t last);
+  Face measure_edge(std::size_t first, std::size_t last);
   /// The distance of a corner from the flat of a face. Sets normal_ to the unit vector from the flat to the
   /// corner, unless the distance is zero.
   double height(std::size_t corner, const Face& face, std::size_t dimension);

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks the R package on an installed C library: `R CMD check --as-cran`, which runs its tests and examples, the tests of package geometry
-with its functions in the place of geometry's, and the examples of docs/r.md.
+"""Checks the R package on an installed C library: `R CMD check --as-cran`, which runs its tests and examples, whether its manual is fresh,
+the tests of package geometry with its functions in the place of geometry's, and the examples of docs/r.md.
 
 Usage: run.py BUILD_DIR       the work is done in BUILD_DIR/r
 """
+import filecmp
 import os
 import pathlib
 import re
@@ -33,6 +34,20 @@ def check_package(package, folder, environment):
     return done.returncode == 0 and status is not None and "WARNING" not in status[1] and "ERROR" not in status[1]
 
 
+def manual_is_fresh(folder):
+    """Whether r/man is what roxygen2 makes of the comments in r/R."""
+    copy = folder / "manual"
+    shutil.rmtree(copy, ignore_errors=True)
+    shutil.copytree(ROOT / "r", copy, ignore=shutil.ignore_patterns("*.o", "*.so"))
+    code = f'roxygen2::roxygenise("{copy}", roclets = "rd", load_code = roxygen2::load_source)'
+    subprocess.run(["Rscript", "-e", code], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    pages = {page.name for folder in (copy / "man", ROOT / "r/man") for page in folder.iterdir()}
+    stale = [name for name in sorted(pages) if filecmp.cmpfiles(copy / "man", ROOT / "r/man", [name], shallow=False)[0] != [name]]
+    if stale:
+        print(f"r/man is stale; run roxygen2::roxygenise(\"r\", roclets = \"rd\"): {', '.join(stale)}")
+    return not stale
+
+
 def main(build):
     folder = build / "r"
     library, prefix = folder / "library", folder / "prefix"
@@ -43,7 +58,8 @@ def main(build):
                    "PKG_CONFIG_PATH": f"{prefix}/lib/pkgconfig:{os.environ.get('PKG_CONFIG_PATH', '')}"}
     os.environ.update(environment)
     package = make_r_package.make(folder)
-    good = check_package(package, folder, environment)
+    good = manual_is_fresh(folder)
+    good &= check_package(package, folder, environment)
     subprocess.run(["R", "CMD", "INSTALL", f"--library={library}", str(package)], check=True, env=environment, stdout=subprocess.DEVNULL,
                    stderr=subprocess.DEVNULL)
     of_geometry = folder / "geometry"
