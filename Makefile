@@ -125,6 +125,12 @@ trixie:               ## build a wheel of the committed tree in a Debian 13 in b
 	tools/install_dependencies.sh packages
 	tools/other_debian.py trixie
 
+r:                    ## check the R package on an installed C library in build/release/r, and run the tests of package geometry with it
+	tools/install_dependencies.sh r
+	cmake --preset release $(launcher) >/dev/null
+	cmake --build --preset release -j $(jobs)
+	python3 -B tests/r/run.py build/release
+
 bench: python         ## time the standard constructions, in some minutes
 	tools/install_dependencies.sh bench
 	python3 benchmarks/construction.py build/release/delone

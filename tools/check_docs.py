@@ -5,6 +5,9 @@
 Usage: check_docs.py BUILD_DIR [--compiler CXX] [--c-compiler CC] [--python PYTHON]
                                    BUILD_DIR holds libdelone, libdelone_c and the command, and for PYTHON the module;
                                    without PYTHON its examples are left out
+       check_docs.py BUILD_DIR --r LIBRARY --only docs/r.md
+                                   the same for one document; the LIBRARY holds the installed R package, without which its
+                                   examples are left out
        check_docs.py --prose       only measures prose, follows links and looks for the files named; needs no build
        check_docs.py --self-test   shows that each rule of prose finds what it should
 
@@ -12,7 +15,7 @@ In README.md and docs/*.md a comment line directly before a fenced block says wh
   <!-- run -->             a ```cpp or ```c block is a complete program, compiled and run; a ```sh block is run by bash -e in a
                            folder that has data/, with the command on the PATH. Python finds the shared library of the
                            C interface by its name. All blocks of one file share that folder. The ```python
-                           blocks of one file are one session.
+                           blocks of one file are one session, and so are the ```r blocks.
   <!-- run: status 2 -->   the same, and it must end with this exit status
   <!-- output -->          the block is what the last run block printed (standard output, then standard error);
                            "…" in a line stands for any text, a line "…" for any lines
@@ -115,8 +118,9 @@ for line in sys.stdin:
 class Runner:
     """Runs the blocks of one file in a scratch folder."""
 
-    def __init__(self, build, compilers, python, scratch):
+    def __init__(self, build, compilers, python, r, scratch):
         self.build, self.compilers, self.python, self.scratch, self.programs = build, compilers, python, scratch, 0
+        self.r, self.r_blocks = r, []
         self.session = None
         (scratch / "data").symlink_to(ROOT / "data")
         (scratch / "include").symlink_to(ROOT / "include")
@@ -154,10 +158,23 @@ class Runner:
         elif language == "python":
             self.session = self.session or PythonSession(self.python, self.scratch, self.environment)
             return self.session.run(body)
+        elif language == "r":
+            return self.run_r(body)
         else:
-            raise DocsError(f"marked to run, but its language is '{language}' and not cpp, c, sh or python")
+            raise DocsError(f"marked to run, but its language is '{language}' and not cpp, c, sh, python or r")
         done = subprocess.run(command, cwd=self.scratch, env=self.environment, stdin=subprocess.DEVNULL, capture_output=True,
                               text=True, timeout=300)
+        return done.returncode, done.stdout + done.stderr
+
+    def run_r(self, body):
+        """A session of R that repeats the earlier blocks, and prints what the last one does."""
+        program = self.scratch / "program.R"
+        silent = "".join(f"sink(nullfile()); {{\n{block}}}; sink()\n" for block in self.r_blocks)
+        program.write_text(f"grDevices::pdf(NULL)\n{silent}{body}", encoding="utf-8")
+        environment = {**self.environment, "R_LIBS": str(self.r)}
+        done = subprocess.run(["Rscript", "--vanilla", str(program)], cwd=self.scratch, env=environment, stdin=subprocess.DEVNULL,
+                              capture_output=True, text=True, timeout=300)
+        self.r_blocks.append(body)
         return done.returncode, done.stdout + done.stderr
 
 
@@ -169,7 +186,7 @@ def matches(expected, actual):
     return re.fullmatch("".join(lines), actual.rstrip("\n") + "\n") is not None
 
 
-def check_blocks(path, build, compilers, python, faults):
+def check_blocks(path, build, compilers, interpreters, faults):
     """Runs the marked blocks of a file and adds to `faults`. Returns how many blocks were run and how many were left out."""
     text = path.read_text(encoding="utf-8")
     count, left_out, output = 0, 0, None
@@ -185,12 +202,12 @@ def check_blocks(path, build, compilers, python, faults):
                     if not matches(block["body"], output):
                         raise DocsError(f"the output is not what is documented.\n--- documented\n{block['body']}--- actual\n{output}")
                     continue
-                if block["language"] == "python" and not python:
+                if block["language"] in interpreters and not interpreters[block["language"]]:
                     left_out, output = left_out + 1, LEFT_OUT
                     continue
                 count += 1
                 output = ""
-                runner = runner or Runner(build, compilers, python, pathlib.Path(scratch))
+                runner = runner or Runner(build, compilers, interpreters["python"], interpreters["r"], pathlib.Path(scratch))
                 status, output = runner.run(block["language"], block["body"])
                 if status != int(block["status"] or 0):
                     raise DocsError(f"ended with exit status {status}, expected {block['status'] or 0}\n{output}")
@@ -328,6 +345,8 @@ def main():
     parser.add_argument("--compiler", default=os.environ.get("CXX") or shutil.which("c++") or "c++")
     parser.add_argument("--c-compiler", default=os.environ.get("CC") or shutil.which("cc") or "cc")
     parser.add_argument("--python", help="a Python for which BUILD_DIR/python holds the module")
+    parser.add_argument("--r", type=lambda folder: pathlib.Path(folder).resolve(), help="the library of R that holds the installed package")
+    parser.add_argument("--only", help="the one document to check")
     parser.add_argument("--prose", action="store_true", help="only measure prose, follow links and look for files")
     parser.add_argument("--self-test", action="store_true", help="only show that the rules of prose find what they should")
     arguments = parser.parse_args()
@@ -339,13 +358,16 @@ def main():
     faults, blocks, left_out = [], 0, 0
     for path in documents():
         name = path.relative_to(ROOT).as_posix()
+        if arguments.only not in (None, name):
+            continue
         faults += broken_links(path)
         if not name.startswith("benchmarks/history/"):  # records name the files of their day
             faults += missing_files(name, path.read_text(encoding="utf-8"))
         faults += prose_faults(name, path.read_text(encoding="utf-8"))
         if not arguments.prose:
             compilers = {"cpp": arguments.compiler, "c": arguments.c_compiler}
-            run, not_run = check_blocks(path, arguments.build.resolve(), compilers, arguments.python, faults)
+            interpreters = {"python": arguments.python, "r": arguments.r}
+            run, not_run = check_blocks(path, arguments.build.resolve(), compilers, interpreters, faults)
             blocks, left_out = blocks + run, left_out + not_run
     if blocks == 0 and not faults and not arguments.prose:
         faults.append("no runnable block was found: the marks have changed")

@@ -9,7 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace delone::voronoi {
+namespace delone::solve {
 
 /// Collects the corners of a polytope and computes its volume. Keeps its scratch memory from one polytope to
 /// the next.
@@ -43,6 +43,7 @@ class SimplePolytope {
   /// The face of the given dimension on the facets on_, with the corners face_[first…last).
   Face find_face(std::size_t dimension, std::size_t first, std::size_t last);
   Face measure_face(std::size_t dimension, std::size_t first, std::size_t last);
+  Face measure_edge(std::size_t first, std::size_t last);
   /// The distance of a corner from the flat of a face. Sets normal_ to the unit vector from the flat to the
   /// corner, unless the distance is zero.
   double height(std::size_t corner, const Face& face, std::size_t dimension);
@@ -59,4 +60,4 @@ class SimplePolytope {
   double scale_ = 1;
 };
 
-}  // namespace delone::voronoi
+}  // namespace delone::solve

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voronoi/simple_polytope.hpp"
+#include "solve/simple_polytope.hpp"
 
 #include "base/compensated_sum.hpp"
 #include "base/progress_meter.hpp"
@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace delone::voronoi {
+namespace delone::solve {
 
 void SimplePolytope::start(std::size_t m, std::size_t d) {
   m_ = m;
@@ -92,10 +92,22 @@ SimplePolytope::Face SimplePolytope::find_face(std::size_t dimension, std::size_
   return face;
 }
 
+/// An edge has two corners; most faces are edges.
+SimplePolytope::Face SimplePolytope::measure_edge(std::size_t first, std::size_t last) {
+  const std::size_t origin = face_[first];
+  if (last - first < 2) return {0, origin, 0};
+  const double length = height(face_[first + 1], {1, origin, bases_.size()}, 0);
+  if (!(length > 0)) return {0, origin, 0};
+  const std::size_t basis = bases_.size();
+  bases_.insert(bases_.end(), normal_.begin(), normal_.end());
+  return {length, origin, basis};
+}
+
 SimplePolytope::Face SimplePolytope::measure_face(std::size_t dimension, std::size_t first,
                                                   std::size_t last) {
   const std::size_t origin = face_[first];
   if (dimension == 0) return {1, origin, bases_.size()};
+  if (dimension == 1) return measure_edge(first, last);
   internal::cancellation_point();
   auto& entries = entries_[dimension];  // the recursion uses those of lower dimensions
   entries.clear();
@@ -140,4 +152,4 @@ SimplePolytope::Face SimplePolytope::measure_face(std::size_t dimension, std::si
   return {sum.value() / static_cast<double>(dimension), origin, basis};
 }
 
-}  // namespace delone::voronoi
+}  // namespace delone::solve
