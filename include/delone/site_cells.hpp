@@ -44,14 +44,15 @@ struct DELONE_EXPORT_TYPE SiteCells {
   std::vector<double> volumes;    ///< n; infinity for unbounded cells
   std::vector<double> centroids;  ///< n×d; NaN for unbounded cells
   std::vector<double> areas;      ///< n, of the surface of each cell; infinity for unbounded cells
-  std::vector<SignedIndex> num_faces;  ///< n; in a box, faces on its boundary count
+  std::vector<SignedIndex> num_faces;  ///< n; walls count, see below
 
   /// If neighbors are wanted: those of row i are entries neighbor_offsets[i] … neighbor_offsets[i+1]−1 of the
-  /// arrays below, in increasing order.
+  /// arrays below, in increasing order. Walls, the faces on the boundary of the box or a halfspace, come last, as
+  /// neighbor −1.
   std::vector<std::int64_t> neighbor_offsets;
   std::vector<SignedIndex> neighbors;  ///< the row of the site on the other side of each face
   std::vector<double> face_areas;      ///< (k−1)-volumes; infinity for unbounded faces
-  std::vector<double> distances;       ///< from the site to this neighbor
+  std::vector<double> distances;       ///< from the site to this neighbor; from the plane of a wall
   std::vector<SignedIndex> num_edges;  ///< of each face, the two rays of an unbounded one included; k = 3 only
 
   std::size_t num_rows() const { return volumes.size(); }

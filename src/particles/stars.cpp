@@ -120,10 +120,10 @@ void Star::collect(Index v) {
   std::uint32_t count = 0;
   std::uint32_t* corner = corners_.data();
   num_infinite_ = num_at_infinity_ = 0;
+  infinite_corners_.clear();
   for (const Index cell : cells) {
     const Index* const vertices = stars_.vertices(cell).data();
     const bool is_finite = vertices[0] != index(infinite_vertex);
-    if (is_finite && num_infinite_ > 0 && num_at_infinity_ == 0) num_at_infinity_ = count;
     num_infinite_ += is_finite ? 0 : 1;
     for (std::size_t i = is_finite ? 0 : 1; i <= k; ++i) {
       const Index w = vertices[i];
@@ -133,8 +133,12 @@ void Star::collect(Index v) {
         place = {v, count};
         neighbors_[count] = w;
         num_cells_at_[count++] = 0;
+        num_at_infinity_ += is_finite ? 0 : 1;
       }
-      if (!is_finite) continue;
+      if (!is_finite) {
+        infinite_corners_.push_back(place.slot);
+        continue;
+      }
       ++num_cells_at_[place.slot];
       *corner++ = place.slot;
     }

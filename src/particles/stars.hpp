@@ -51,6 +51,12 @@ class Star {
   std::span<const Index> neighbors() const { return neighbors_; }
   /// The k slots of each finite cell.
   std::span<const std::uint32_t> corners() const { return corners_; }
+  /// The slots of any cell: of cell c of Stars::cells_at().
+  std::span<const std::uint32_t> slots_of(std::size_t c) const {
+    const std::size_t k = stars_.dimension();
+    if (c < num_infinite_) return {infinite_corners_.data() + c * (k - 1), k - 1};
+    return {corners_.data() + (c - num_infinite_) * k, k};
+  }
   /// The number of finite cells at the edge to a neighbor, and whether infinite cells are there, too.
   std::uint32_t num_cells_at(std::size_t slot) const { return num_cells_at_[slot]; }
   bool is_at_infinity(std::size_t slot) const { return slot < num_at_infinity_; }
@@ -69,7 +75,7 @@ class Star {
   };
   std::vector<Place> places_;  // by vertex
   std::vector<Index> neighbors_;
-  std::vector<std::uint32_t> corners_, num_cells_at_;
+  std::vector<std::uint32_t> corners_, infinite_corners_, num_cells_at_;
   std::size_t num_infinite_ = 0, num_at_infinity_ = 0;
 };
 
