@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rounding errors of the sums over cells are below (number of cells + 4)·u of the sum of absolute pieces. Stars of
-// so many cells that this counts are summed with compensation.
+// Rounding errors of the sums over cells are below (number of cells + 4)·u of the sum of absolute pieces.
+// Stars of so many cells that this counts are summed with compensation.
 #include "particles/cell_measure.hpp"
 
 #include "base/compensated_sum.hpp"
@@ -50,7 +50,8 @@ void CellMeasure::set_neighbor(std::size_t i, const double* from, const double* 
     low_[i * d_ + j] = difference.low;
   }
   if (!weighted_) return;
-  const kernel::DoubleDouble difference = kernel::two_sum(weight_factor_ * from[d_], -(weight_factor_ * to[d_]));
+  const kernel::DoubleDouble difference =
+      kernel::two_sum(weight_factor_ * from[d_], -(weight_factor_ * to[d_]));
   weight_high_[i] = difference.high;
   weight_low_[i] = difference.low;
 }
@@ -132,13 +133,15 @@ void CellMeasure::find_pieces() {
 
 template <class Find>
 void CellMeasure::replace(std::size_t cell, const Find& find) {
-  find(ExactNeighbors{k_, d_, high_, low_, weight_high_, weight_low_}, corners_.data() + cell * k_, one_.data());
+  find(ExactNeighbors{k_, d_, high_, low_, weight_high_, weight_low_}, corners_.data() + cell * k_,
+       one_.data());
   for (std::size_t i = 0; i < one_.size(); ++i) piece(i, cell) = one_[i];
 }
 
-/// Replaces the worst cells by better ones, until the errors of all are certain to add up to no more than half of
-/// the tolerance. The sizes of computed pieces less their errors are at most those of exact ones, so what is left
-/// of them after the first step is a safe measure for the next. Cells from integers are off by roundings only.
+/// Replaces the worst cells by better ones, until the errors of all are certain to add up to no more than
+/// half of the tolerance. The sizes of computed pieces less their errors are at most those of exact ones, so
+/// what is left of them after the first step is a safe measure for the next. Cells from integers are off by
+/// roundings only.
 void CellMeasure::improve() {
   for (const bool exactly : {false, true}) {
     double size = 0, error = 0, certain = 0;

@@ -16,8 +16,8 @@
 namespace delone::particles {
 namespace {
 
-/// x is the point nearest to a center. Coordinates of the box are doubles, so rounding does not move a coordinate
-/// across them. A value of a halfspace is off by d·u for its products and sums, and u for x.
+/// x is the point nearest to a center. Coordinates of the box are doubles, so rounding does not move a
+/// coordinate across them. A value of a halfspace is off by d·u for its products and sums, and u for x.
 bool is_inside(const double* x, std::size_t d, const Container& container) {
   for (std::size_t j = 0; j < d; ++j)
     if (!(x[j] >= container.box.low[j] && x[j] <= container.box.high[j])) return false;
@@ -29,7 +29,8 @@ bool is_inside(const double* x, std::size_t d, const Container& container) {
       size += std::abs(row[j] * x[j]);
     }
     constexpr double underflow = 1e-300;
-    if (!(value < -1.01 * static_cast<double>(d + 2) * kernel::unit_roundoff * size - underflow)) return false;
+    if (!(value < -1.01 * static_cast<double>(d + 2) * kernel::unit_roundoff * size - underflow))
+      return false;
   }
   return true;
 }
@@ -110,8 +111,8 @@ void CellClipper::clip(Index v, std::span<const Index> neighbors, bool proper) {
   faces_.clear();
   const auto add = [&](std::size_t plane, double area, std::size_t num_corners) {
     const bool is_wall = plane < clipper_.num_fixed_planes();
-    faces_.push_back({is_wall ? ClippedFace::wall : clipper_.other_of(plane), area, distance_of(plane, v, neighbors),
-                      num_corners});
+    faces_.push_back({is_wall ? ClippedFace::wall : clipper_.other_of(plane), area,
+                      distance_of(plane, v, neighbors), num_corners});
   };
   if (!proper) {
     for (const auto& facet : measures_.facets) add(facet.label, facet.volume, facet.num_corners);

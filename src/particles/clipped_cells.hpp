@@ -22,7 +22,8 @@ struct Container {
   std::span<const double> halfspaces;
 };
 
-/// By number of the cell in `stars`: 1 if its center is certain to lie inside. REQUIRES cells of full dimension.
+/// By number of the cell in `stars`: 1 if its center is certain to lie inside. REQUIRES cells of full
+/// dimension.
 std::vector<unsigned char> centers_inside(const Triangulation& triangulation, const Stars& stars,
                                           const sites::VertexPoints& points, const Container& container,
                                           unsigned threads);
@@ -30,7 +31,7 @@ std::vector<unsigned char> centers_inside(const Triangulation& triangulation, co
 /// One side of a clipped cell.
 struct ClippedFace {
   static constexpr std::size_t wall = static_cast<std::size_t>(-1);
-  std::size_t neighbor;  ///< a place in the list of neighbors, or `wall`
+  std::size_t neighbor;   ///< a place in the list of neighbors, or `wall`
   double area, distance;  ///< to the neighbor's site, or to the wall
   std::size_t num_corners;
 };
@@ -39,7 +40,8 @@ class CellClipper {
  public:
   CellClipper(const sites::VertexPoints& points, const Container& container);
 
-  /// The cell of a vertex among those of its neighbors. `proper`: only faces of full dimension, decided exactly.
+  /// The cell of a vertex among those of its neighbors. `proper`: only faces of full dimension, decided
+  /// exactly.
   void clip(Index v, std::span<const Index> neighbors, bool proper);
   double volume() const { return measures_.volume; }
   /// The centroid less the site; empty if there is no volume.

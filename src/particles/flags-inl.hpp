@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pieces of a cell in any dimension: each face of the cell is visited once, not each order of its vertices.
+// The pieces of a cell in any dimension: each face of the cell is visited once, not each order of its
+// vertices.
 //
-// Elimination. Vectors r_w and numbers α_w, w ∉ F, start as e_w and α_w for F = ∅. When v joins F, each of the
-// others loses its part along v: with f = r_w·r_v/|r_v|²,
+// Elimination. Vectors r_w and numbers α_w, w ∉ F, start as e_w and α_w for F = ∅. When v joins F, each of
+// the others loses its part along v: with f = r_w·r_v/|r_v|²,
 //     r_w −= f·r_v,    α_w −= f·α_v.
 //
 // Errors, up to terms of second order, which the factor `slack` covers; |·| is the Euclidean norm, u the unit
-// roundoff. Let r_w be off by ε_w, α_w by τ_w, and λ_w = |e_w|, which bounds |r_w|; η_v = ε_v/|r_v|. Projections
-// along two directions at an angle φ differ by sin φ, and a computed product of two vectors is off by d·u times
-// the product of their norms. So with κ = 2d + 5 the new r_w is off by
+// roundoff. Let r_w be off by ε_w, α_w by τ_w, and λ_w = |e_w|, which bounds |r_w|; η_v = ε_v/|r_v|.
+// Projections along two directions at an angle φ differ by sin φ, and a computed product of two vectors is
+// off by d·u times the product of their norms. So with κ = 2d + 5 the new r_w is off by
 //     ε'_w = ε_w + λ_w·(η_v + κ·u).
 // The same sum divided by |r_v| bounds what f is off by, and |f| ≤ λ_w/|r_v|: so
 //     τ'_w = τ_w + |f|·τ_v + (|α_v|/|r_v|)·ε'_w + u·(2|f·α_v| + |α'_w|).
-// At the beginning a rounded difference of coordinates gives ε_w = u·λ_w, and |e_w|² + w_0 − w is off by (d + 3)·u
-// times s_w·λ_w, the sum of its magnitudes. D = Π|r| along one order has the relative error Σ(η + (d + 2)·u).
+// At the beginning a rounded difference of coordinates gives ε_w = u·λ_w, and |e_w|² + w_0 − w is off by (d +
+// 3)·u times s_w·λ_w, the sum of its magnitudes. D = Π|r| along one order has the relative error Σ(η + (d +
+// 2)·u).
 //
 // Sums. With v(all) = 1, v(F) = Σ_w α^F_w·v(F ∪ {w})/(k − |F|), W_i = |e_i|²·v({i})/D. The sums of absolute
 // values, p(F), bound their errors: e(F) = Σ_w (|α^F_w|·e(F ∪ {w}) + τ^F_w·(p + e)(F ∪ {w}))/(k − |F|).
@@ -70,14 +72,14 @@ HWY_INLINE Number dot(const Number* a, const Number* b, std::size_t d) {
   return sum;
 }
 
-/// What elimination finds, by set of vertices: bit i is vertex i. K and N, the dimension of the space, are 0 if
-/// they are known at run time.
+/// What elimination finds, by set of vertices: bit i is vertex i. K and N, the dimension of the space, are 0
+/// if they are known at run time.
 template <class T, int K, int N>
 struct Flags {
   static constexpr int num_sets = K > 0 ? 1 << K : 0;
   std::size_t k, d;
-  kernel::Buffer<T, num_sets * K> alpha, tau;  // k per set; those of its own vertices are unused
-  kernel::Buffer<T, num_sets * N> centers;     // d per set
+  kernel::Buffer<T, num_sets * K> alpha, tau;      // k per set; those of its own vertices are unused
+  kernel::Buffer<T, num_sets * N> centers;         // d per set
   T box = number<T>(1), box_error = number<T>(0);  // D, and its relative error
   T worst = number<T>(0);                          // the largest η
 
@@ -100,8 +102,8 @@ struct Remainders {
   HWY_INLINE Remainders(std::size_t k, std::size_t d) : r(k * d), alpha(k), epsilon(k), tau(k) {}
 };
 
-/// Finds what flags has for `set` and for all sets made from it by vertices from `first` on, which come after its
-/// own. `unit`: the roundoff of Number.
+/// Finds what flags has for `set` and for all sets made from it by vertices from `first` on, which come after
+/// its own. `unit`: the roundoff of Number.
 template <class T, class Number, int K, int N>
 void eliminate(Flags<T, K, N>& flags, const T* lambda, double unit, std::size_t set, std::size_t first,
                const Remainders<T, Number, K, N>& from) {

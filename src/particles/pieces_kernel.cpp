@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Triangles and tetrahedra have formulas of their own; other cells go by flags-inl.hpp.
 //
-// Errors, up to terms of second order (`slack`). Of the neighbors e, |e|², α and s² are given with relative errors
-// u per coordinate, 5u, and 6u times s·|e|/2. Let ρ = Π|e_i|/D ≥ 1. Below, 1.155 = 2/√3 bounds the ratio of the
-// norm of (|b_y·c_z| + |b_z·c_y|, …) to |b|·|c|.
+// Errors, up to terms of second order (`slack`). Of the neighbors e, |e|², α and s² are given with relative
+// errors u per coordinate, 5u, and 6u times s·|e|/2. Let ρ = Π|e_i|/D ≥ 1. Below, 1.155 = 2/√3 bounds the
+// ratio of the norm of (|b_y·c_z| + |b_z·c_y|, …) to |b|·|c|.
 #include "particles/pieces_kernel.hpp"
 
 #include "base/compiled_dimension.hpp"
@@ -29,8 +29,8 @@ template <class Tag>
 class CornerBlock {
  public:
   /// The last cell stands in for those that are not there.
-  HWY_INLINE CornerBlock(std::size_t d, std::size_t first, std::size_t count, const double* HWY_RESTRICT records,
-                         const std::uint32_t* HWY_RESTRICT corners) {
+  HWY_INLINE CornerBlock(std::size_t d, std::size_t first, std::size_t count,
+                         const double* HWY_RESTRICT records, const std::uint32_t* HWY_RESTRICT corners) {
     const std::size_t size = record_size(d), lanes = hn::Lanes(Tag());
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       const std::uint32_t* const of_cell = corners + std::min(first + lane, count - 1) * d;
@@ -92,9 +92,9 @@ HWY_INLINE Vector3<V> cross(const Vector3<V>& a, const Vector3<V>& b) {
 /// All pieces have the same x, so that what it is off by cancels in sums of thin cells.
 ///
 /// Errors. n_c is off by 4.7u·|a||b|, D by 9.3u·Π|e|, and y by ½·Π|e|·Σs·(4.7 + 9)u. So x is off by
-/// u·ρ·(7·Σs + 9.3·|x|) + 2u·|x|, and q_c, as |a||b|/|n_c| ≤ ρ, by u·ρ·(7·Σs + 36·|x|)/|n_c|. The square of the
-/// parentheses is at most 300·Σs² + 2600·|x|². With B_c = |t_a·m_ab| + |t_b·m_ba| and by Cauchy's inequality, the
-/// volumes that result are off by
+/// u·ρ·(7·Σs + 9.3·|x|) + 2u·|x|, and q_c, as |a||b|/|n_c| ≤ ρ, by u·ρ·(7·Σs + 36·|x|)/|n_c|. The square of
+/// the parentheses is at most 300·Σs² + 2600·|x|². With B_c = |t_a·m_ab| + |t_b·m_ba| and by Cauchy's
+/// inequality, the volumes that result are off by
 ///     ⅙·Σ_f B_f·|δq_f| ≤ ⅙·u·ρ·√(3·Σ_f B_f²/|n_f|²·(300·Σs² + 2600·|x|²)).
 /// m_ab is off by 6.5u·(|a|²·s_b·|b| + |a||b|·s_a·|a|), and t_a·|a| ≤ s_a/2: another 2.2u·ρ·|x|·Σs².
 /// t_a is off by 3u·s_a/|a|, and |W_a| is at most ½·ρ·|a|·|x|·Σs: another 1.5u·ρ·|x|·Σs².
@@ -130,7 +130,8 @@ HWY_INLINE void find_tetrahedron(Load load, Store store) {
   store(3, share * y.x - (sa * na.x + sb * nb.x + sc * nc.x));
   store(4, share * y.y - (sa * na.y + sb * nb.y + sc * nc.y));
   store(5, share * y.z - (sa * na.z + sb * nb.z + sc * nc.z));
-  const V ba = abs(tb * mbc) + abs(tc * mcb), bb = abs(tc * mca) + abs(ta * mac), bc2 = abs(ta * mab) + abs(tb * mba);
+  const V ba = abs(tb * mbc) + abs(tc * mcb), bb = abs(tc * mca) + abs(ta * mac),
+          bc2 = abs(ta * mab) + abs(tb * mba);
   const V size = 1.0 / 6 * (ba * abs(qa) + bb * abs(qb) + bc2 * abs(qc));
   store(6, size);
   const V s2 = load(0, 3 + magnitude) + load(1, 3 + magnitude) + load(2, 3 + magnitude);
@@ -154,7 +155,8 @@ void find_simplex(const CornerBlock<hn::CappedTag<double, 8>>& block, std::size_
     lambda[i] = root(squares[i]);
     edges.alpha[i] = block(k, i, k + alpha);
     edges.epsilon[i] = unit_roundoff * lambda[i];
-    edges.tau[i] = static_cast<double>(k + 3) * unit_roundoff * (root(block(k, i, k + magnitude)) * lambda[i]);
+    edges.tau[i] =
+        static_cast<double>(k + 3) * unit_roundoff * (root(block(k, i, k + magnitude)) * lambda[i]);
   }
   Flags<V, K, K> flags(k, k);
   eliminate<V, V, K, K>(flags, lambda, unit_roundoff, 0, 0, edges);
@@ -198,8 +200,8 @@ namespace delone::particles {
 
 HWY_EXPORT(find_pieces_here);
 
-void find_pieces_in_lanes(std::size_t d, std::size_t count, const double* records, const std::uint32_t* corners,
-                          std::size_t stride, double* pieces) {
+void find_pieces_in_lanes(std::size_t d, std::size_t count, const double* records,
+                          const std::uint32_t* corners, std::size_t stride, double* pieces) {
   HWY_DYNAMIC_DISPATCH(find_pieces_here)(d, count, records, corners, stride, pieces);
 }
 

@@ -4,12 +4,12 @@
 //
 // Let the site be the origin, e_1 … e_k the other vertices of a cell of the triangulation, and
 //     α_i = (|e_i|² + w_0 − w_i)/2,    x·e_i = α_i,
-// so x is the center of the cell, and the bisector with e_i meets the line of e_i at t_i·e_i, t_i = α_i/|e_i|².
-// For a set F of vertices, c_F is the center of the face of the site and F: the point of span(F) nearest to x. A
-// *piece* is the simplex of 0, c_{i}, c_{ij}, …, x for one order of the vertices. With r_w the part of e_w that
-// is orthogonal to F, and α^F_w = r_w·x, the step from c_F to the center of F ∪ {w} is r_w·α^F_w/|r_w|². All
-// these steps are orthogonal, and Π |r_w| is the same for all orders, the volume D of the box of the e_i. So the
-// signed volume of a piece is Π α^F_w/(k!·D).
+// so x is the center of the cell, and the bisector with e_i meets the line of e_i at t_i·e_i, t_i =
+// α_i/|e_i|². For a set F of vertices, c_F is the center of the face of the site and F: the point of span(F)
+// nearest to x. A *piece* is the simplex of 0, c_{i}, c_{ij}, …, x for one order of the vertices. With r_w
+// the part of e_w that is orthogonal to F, and α^F_w = r_w·x, the step from c_F to the center of F ∪ {w} is
+// r_w·α^F_w/|r_w|². All these steps are orthogonal, and Π |r_w| is the same for all orders, the volume D of
+// the box of the e_i. So the signed volume of a piece is Π α^F_w/(k!·D).
 //
 // Of each cell these are computed:
 //     W_i, |e_i| times the (k−1)-volume of the part of the face with neighbor i;
@@ -40,8 +40,8 @@ constexpr std::size_t record_size(std::size_t d) { return d + num_neighbor_numbe
 constexpr std::size_t piece_size(std::size_t k, std::size_t d) { return k + d + 2; }
 
 /// Of `count` cells. `records`: of the neighbors; `corners`: k neighbors for each cell. `pieces`: number i of
-/// cell c goes to i·stride + c; the stride is a multiple of 8 and at least `count`. REQUIRES has_lanes(d, d), the
-/// largest coordinate in [1/2, 1), |e|² ≥ 2⁻²⁰⁰, and s² ≤ 2²⁰⁰.
+/// cell c goes to i·stride + c; the stride is a multiple of 8 and at least `count`. REQUIRES has_lanes(d, d),
+/// the largest coordinate in [1/2, 1), |e|² ≥ 2⁻²⁰⁰, and s² ≤ 2²⁰⁰.
 void find_pieces_in_lanes(std::size_t d, std::size_t count, const double* records,
                           const std::uint32_t* corners, std::size_t stride, double* pieces);
 

@@ -27,24 +27,25 @@ SphereClasses::SphereClasses(const Complex& complex, const Stars& stars, const s
   if (size > 2) {
     std::vector<unsigned char> are_equal(n * size, 0);
     constexpr std::size_t cells_in_part = 1024;
-    internal::for_parts(threads, n, cells_in_part,
-                        [&](std::size_t first, std::size_t last, const internal::StopPoint& stop) {
-                          std::vector<const double*> of_cell(size);
-                          for (std::size_t c = first; c < last; ++c) {
-                            stop();
-                            if (is_infinite(c)) continue;
-                            for (std::size_t i = 0; i < size; ++i) of_cell[i] = points.point(stars.vertices(c)[i]);
-                            for (std::size_t i = 0; i < size; ++i)
-                              if (const std::size_t other = neighbor(c, i); other < c && !is_infinite(other))
-                                are_equal[c * size + i] = kernel::in_sphere(flat, of_cell, Sign::positive,
-                                                                            points.point(opposite(c, i))) == Sign::zero;
-                          }
-                        });
+    internal::for_parts(
+        threads, n, cells_in_part, [&](std::size_t first, std::size_t last, const internal::StopPoint& stop) {
+          std::vector<const double*> of_cell(size);
+          for (std::size_t c = first; c < last; ++c) {
+            stop();
+            if (is_infinite(c)) continue;
+            for (std::size_t i = 0; i < size; ++i) of_cell[i] = points.point(stars.vertices(c)[i]);
+            for (std::size_t i = 0; i < size; ++i)
+              if (const std::size_t other = neighbor(c, i); other < c && !is_infinite(other))
+                are_equal[c * size + i] = kernel::in_sphere(flat, of_cell, Sign::positive,
+                                                            points.point(opposite(c, i))) == Sign::zero;
+          }
+        });
     internal::QuickRounds round;
     for (std::size_t c = 0; c < n; ++c) {
       round();
       for (std::size_t i = 0; i < size; ++i)
-        if (are_equal[c * size + i] != 0) classes.unite(static_cast<Index>(c), static_cast<Index>(neighbor(c, i)));
+        if (are_equal[c * size + i] != 0)
+          classes.unite(static_cast<Index>(c), static_cast<Index>(neighbor(c, i)));
     }
     std::vector<const double*> of_facets(size);
     for (std::size_t c = 0; c < n && is_infinite(c); ++c) {  // they come first

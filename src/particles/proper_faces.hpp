@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which faces of cells have an area, decided exactly: sites with one empty sphere are triangulated in one of many
-// ways, and edges inside of their polytope have faces of lower dimension.
+// Which faces of cells have an area, decided exactly: sites with one empty sphere are triangulated in one of
+// many ways, and edges inside of their polytope have faces of lower dimension.
 #pragma once
 
 #include "base/union_find.hpp"
@@ -16,8 +16,8 @@
 
 namespace delone::particles {
 
-/// Cells of the triangulation that have one sphere are one *class*. So are infinite cells at hull facets in one
-/// hyperplane, if the cells behind them are.
+/// Cells of the triangulation that have one sphere are one *class*. So are infinite cells at hull facets in
+/// one hyperplane, if the cells behind them are.
 class SphereClasses {
  public:
   /// Cost: an exact test for each facet, by up to `threads` threads.
@@ -32,9 +32,9 @@ class SphereClasses {
 };
 
 /// An edge lies in the interior of a face of the sites' polytopes, or is one. If it does, that face is
-/// triangulated around it, so one of its other vertices w is joined to both ends; and w belongs to all classes at
-/// the edge, each of which has the triangle. If it is a face itself, no w does, as the polytopes of all classes
-/// have nothing else in common.
+/// triangulated around it, so one of its other vertices w is joined to both ends; and w belongs to all
+/// classes at the edge, each of which has the triangle. If it is a face itself, no w does, as the polytopes
+/// of all classes have nothing else in common.
 class ProperFaces {
  public:
   ProperFaces(const Stars& stars, const SphereClasses& classes) : stars_(stars), classes_(classes) {}

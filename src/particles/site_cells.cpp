@@ -108,9 +108,9 @@ class SiteCellsMaker {
   std::optional<Container> container_;
   std::vector<Index> row_of_vertex_;
   int unit_ = 0;
-  std::optional<SphereClasses> classes_;   // if only proper faces count
-  std::vector<unsigned char> inside_;      // by cell of the triangulation; empty: none is known to be
-  std::vector<Lists> lists_;               // by part
+  std::optional<SphereClasses> classes_;  // if only proper faces count
+  std::vector<unsigned char> inside_;     // by cell of the triangulation; empty: none is known to be
+  std::vector<Lists> lists_;              // by part
   SiteCells cells_;
 };
 
@@ -170,7 +170,8 @@ void SiteCellsMaker::measure() {
 
 /// Cells are convex, so one is inside if its vertices are.
 bool SiteCellsMaker::is_inside(std::span<const Index> cells) const {
-  return !inside_.empty() && std::all_of(cells.begin(), cells.end(), [&](Index c) { return inside_[c] != 0; });
+  return !inside_.empty() &&
+         std::all_of(cells.begin(), cells.end(), [&](Index c) { return inside_[c] != 0; });
 }
 
 void SiteCellsMaker::measure_site(Index v, const Stars& stars, Worker& worker, Lists& lists) {
@@ -183,7 +184,8 @@ void SiteCellsMaker::measure_site(Index v, const Stars& stars, Worker& worker, L
   }
   const std::size_t row = row_of_vertex_[v], n = star.neighbors().size();
   measure.begin(n);
-  for (std::size_t i = 0; i < n; ++i) measure.set_neighbor(i, points_.point(v), points_.point(star.neighbors()[i]));
+  for (std::size_t i = 0; i < n; ++i)
+    measure.set_neighbor(i, points_.point(v), points_.point(star.neighbors()[i]));
   measure.measure(star.corners());
   if (worker.faces) worker.faces->find(star, stars.cells_at(v));
   worker.order.clear();
@@ -253,36 +255,37 @@ void SiteCellsMaker::join_lists() {
   cells_.face_areas.resize(size);
   cells_.distances.resize(size);
   if (dimension_of_cells() == 3) cells_.num_edges.resize(size);
-  internal::for_parts(threads_, lists_.size(), 1,
-                      [&](std::size_t part, std::size_t, const internal::StopPoint& stop) {
-                        stop();
-                        Lists& lists = lists_[part];
-                        std::size_t from = 0;
-                        for (std::size_t i = 0; i < lists.rows.size(); ++i) {
-                          const std::ptrdiff_t to = offsets[lists.rows[i]];
-                          const std::size_t length = lists.lengths[i];
-                          const auto copy = [&](const auto& items, auto& all) {
-                            std::copy_n(items.begin() + static_cast<std::ptrdiff_t>(from), length, all.begin() + to);
-                          };
-                          copy(lists.neighbors, cells_.neighbors);
-                          copy(lists.areas, cells_.face_areas);
-                          copy(lists.distances, cells_.distances);
-                          if (dimension_of_cells() == 3) copy(lists.num_edges, cells_.num_edges);
-                          from += length;
-                        }
-                        lists = {};
-                      });
+  internal::for_parts(
+      threads_, lists_.size(), 1, [&](std::size_t part, std::size_t, const internal::StopPoint& stop) {
+        stop();
+        Lists& lists = lists_[part];
+        std::size_t from = 0;
+        for (std::size_t i = 0; i < lists.rows.size(); ++i) {
+          const std::ptrdiff_t to = offsets[lists.rows[i]];
+          const std::size_t length = lists.lengths[i];
+          const auto copy = [&](const auto& items, auto& all) {
+            std::copy_n(items.begin() + static_cast<std::ptrdiff_t>(from), length, all.begin() + to);
+          };
+          copy(lists.neighbors, cells_.neighbors);
+          copy(lists.areas, cells_.face_areas);
+          copy(lists.distances, cells_.distances);
+          if (dimension_of_cells() == 3) copy(lists.num_edges, cells_.num_edges);
+          from += length;
+        }
+        lists = {};
+      });
 }
 
 }  // namespace
 }  // namespace particles
 
-SiteCells site_cells(const Triangulation& triangulation, const SiteCellsOptions& options, const Execution& how) {
+SiteCells site_cells(const Triangulation& triangulation, const SiteCellsOptions& options,
+                     const Execution& how) {
   if (triangulation.kind() == TriangulationKind::furthest_site)
     throw Error(Errc::invalid_argument, "cells of sites are those of a Delaunay or regular triangulation");
   if (triangulation.affine_dimension() > particles::most_dimension)
-    throw Error(Errc::unsupported, "cells of sites are available up to dimension " +
-                                       std::to_string(particles::most_dimension));
+    throw Error(Errc::unsupported,
+                "cells of sites are available up to dimension " + std::to_string(particles::most_dimension));
   const auto d = static_cast<std::size_t>(triangulation.dimension());
   if (options.box)
     particles::check_container({*options.box, options.halfspaces}, triangulation.dimension());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The cells at each vertex, in an order that depends on the ids of vertices alone, and not on those of cells, which
-// several threads give differently. So what is summed over a star has the same bits for every number of threads.
+// The cells at each vertex, in an order that depends on the ids of vertices alone, and not on those of cells,
+// which several threads give differently. So what is summed over a star has the same bits for every number of
+// threads.
 #pragma once
 
 #include <delone/complex.hpp>
@@ -22,7 +23,9 @@ class Stars {
   std::size_t num_cells() const { return ids_.size(); }
   /// The k+1 vertices of a cell, increasing: the first of an infinite cell is the infinite vertex. Cells are
   /// numbered in lexicographic order.
-  std::span<const Index> vertices(std::size_t cell) const { return {vertices_.data() + cell * (k_ + 1), k_ + 1}; }
+  std::span<const Index> vertices(std::size_t cell) const {
+    return {vertices_.data() + cell * (k_ + 1), k_ + 1};
+  }
   CellId id(std::size_t cell) const { return ids_[cell]; }
   /// The cells at a vertex, increasing, so infinite ones come first.
   std::span<const Index> cells_at(Index v) const {
@@ -43,7 +46,8 @@ class Stars {
 /// The star of one vertex in local numbers.
 class Star {
  public:
-  explicit Star(const Stars& stars, std::size_t num_vertex_slots) : stars_(stars), places_(num_vertex_slots) {}
+  explicit Star(const Stars& stars, std::size_t num_vertex_slots)
+      : stars_(stars), places_(num_vertex_slots) {}
 
   void find(Index v);
 

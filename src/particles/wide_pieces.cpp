@@ -27,15 +27,16 @@ constexpr double pair_roundoff = 0x1p-100;
 /// Integers by Bareiss's elimination (1968, doi:10.1090/S0025-5718-1968-0226829-0): with g the determinant of
 /// the Gram matrix of F, r_w·g, 2α_w·g and the inner products r_w·r_j·g are integers, bordered minors.
 ///
-/// sum_flags() gets the distances of centers, h = α_w/|r_w|, in place of α_w, 1 in place of D, and |e_i| in place
-/// of its square. Then nothing overflows or underflows that is not itself out of range.
+/// sum_flags() gets the distances of centers, h = α_w/|r_w|, in place of α_w, 1 in place of D, and |e_i| in
+/// place of its square. Then nothing overflows or underflows that is not itself out of range.
 class ExactElimination {
  public:
   ExactElimination(const ExactNeighbors& neighbors, const std::uint32_t* corners, Flags<double, 0, 0>& flags)
       : k_(neighbors.k), d_(neighbors.d), width_(d_ + 1 + k_), flags_(flags) {
     grid_ = std::numeric_limits<int>::max() / 4;
-    for_each_number(neighbors, corners, [&](double x) { grid_ = std::min(grid_, kernel::trailing_exponent(x)); },
-                    [&](double x) { grid_ = std::min(grid_, kernel::square_exponent(x)); });
+    for_each_number(
+        neighbors, corners, [&](double x) { grid_ = std::min(grid_, kernel::trailing_exponent(x)); },
+        [&](double x) { grid_ = std::min(grid_, kernel::square_exponent(x)); });
     std::vector<Integer> rows(k_ * width_);
     std::size_t at = 0;
     for (std::size_t i = 0; i < k_; ++i) {
@@ -59,8 +60,8 @@ class ExactElimination {
  private:
   static Integer integer(double x, int grid) { return x == 0 ? Integer(0) : kernel::scaled_integer(x, grid); }
   template <class Coordinate, class Weight>
-  static void for_each_number(const ExactNeighbors& neighbors, const std::uint32_t* corners, Coordinate coordinate,
-                              Weight weight) {
+  static void for_each_number(const ExactNeighbors& neighbors, const std::uint32_t* corners,
+                              Coordinate coordinate, Weight weight) {
     for (std::size_t i = 0; i < neighbors.k; ++i) {
       for (std::size_t j = 0; j < neighbors.d; ++j)
         for (const auto& part : {neighbors.high, neighbors.low})
@@ -79,7 +80,8 @@ class ExactElimination {
       const Integer& twice_alpha = row(w)[d_];
       double h = 0;
       if (twice_alpha != 0)
-        h = kernel::root_above(twice_alpha * twice_alpha, 4 * g * square(w), grid_) * (twice_alpha < 0 ? -1 : 1);
+        h = kernel::root_above(twice_alpha * twice_alpha, 4 * g * square(w), grid_) *
+            (twice_alpha < 0 ? -1 : 1);
       flags_.alpha[set * k_ + w] = h;
       flags_.tau[set * k_ + w] = 2 * unit_roundoff * std::abs(h);
     }
@@ -87,8 +89,8 @@ class ExactElimination {
       const std::size_t with = set | std::size_t{1} << v;
       const Integer& pivot = square(v);
       for (std::size_t j = 0; j < d_; ++j)
-        flags_.centers[with * d_ + j] =
-            flags_.centers[set * d_ + j] + kernel::nearest_double(row(v)[d_] * row(v)[j], pivot * g, grid_ - 1);
+        flags_.centers[with * d_ + j] = flags_.centers[set * d_ + j] +
+                                        kernel::nearest_double(row(v)[d_] * row(v)[j], pivot * g, grid_ - 1);
       if (with + 1 == std::size_t{1} << k_) continue;
       std::vector<Integer> next(rows.size());
       for (std::size_t w = 0; w < k_; ++w) {

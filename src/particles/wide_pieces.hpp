@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pieces of single cells where binary64 lanes do not do: in any dimension, in pairs of doubles, in integers.
+// The pieces of single cells where binary64 lanes do not do: in any dimension, in pairs of doubles, in
+// integers.
 #pragma once
 
 #include "particles/pieces_kernel.hpp"

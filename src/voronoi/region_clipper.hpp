@@ -36,11 +36,11 @@ class RegionClipper {
 
   /// The d-volume of the clipped region.
   double volume();
-  /// The volume, the centroid less the site, and the facets of the clipped region, labelled by planes. Some facets
-  /// have no area if more planes than d meet in a corner.
+  /// The volume, the centroid less the site, and the facets of the clipped region, labelled by planes. Some
+  /// facets have no area if more planes than d meet in a corner.
   SimplePolytope::Measures measures();
-  /// The planes of the facets that are not smaller than that, decided exactly, with the numbers of their corners.
-  /// None if the region has no interior. REQUIRES d ≤ 3.
+  /// The planes of the facets that are not smaller than that, decided exactly, with the numbers of their
+  /// corners. None if the region has no interior. REQUIRES d ≤ 3.
   struct ProperFacet {
     std::size_t plane, num_corners;
   };

@@ -36,8 +36,7 @@ std::size_t SimplePolytope::LabelsHash::operator()(const std::vector<std::size_t
 bool SimplePolytope::set_scale() {
   double largest = 0;
   for (const double* x : x_)
-    for (std::size_t j = 0; j < d_; ++j)
-      largest = std::max(largest, std::abs(x[j] / 2 - x_[0][j] / 2));
+    for (std::size_t j = 0; j < d_; ++j) largest = std::max(largest, std::abs(x[j] / 2 - x_[0][j] / 2));
   if (!(largest > 0) || !std::isfinite(largest)) return false;
   const int exponent = std::ilogb(largest) + 1;
   scale_ = std::ldexp(1.0, -std::clamp(exponent, -1000, 1000));
@@ -113,8 +112,7 @@ void SimplePolytope::add_pyramid(std::size_t apex, const Face& base, std::size_t
                                  std::vector<double>& sum) const {
   const auto m = static_cast<double>(dimension);
   for (std::size_t j = 0; j < d_; ++j) {
-    const double of_base =
-        dimension == 1 ? x_[base.origin][j] * scale_ : centroids_[base.centroid + j];
+    const double of_base = dimension == 1 ? x_[base.origin][j] * scale_ : centroids_[base.centroid + j];
     sum[j] += part * ((x_[apex][j] * scale_ + m * of_base) / (m + 1));
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Volumes and centroids of simple polytopes: each corner of a polytope of dimension m is on exactly m facets, which
-// have labels. Duals of triangulations are simple, and so are polytopes cut by perturbed hyperplanes. Corners may
-// coincide, so degenerate input is not a special case.
+// Volumes and centroids of simple polytopes: each corner of a polytope of dimension m is on exactly m facets,
+// which have labels. Duals of triangulations are simple, and so are polytopes cut by perturbed hyperplanes.
+// Corners may coincide, so degenerate input is not a special case.
 #pragma once
 
 #include <cstddef>

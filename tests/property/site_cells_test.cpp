@@ -49,9 +49,9 @@ const std::vector<std::array<int, 3>> simple{{0, 0, 0}}, bcc{{0, 0, 0}, {8, 8, 8
 
 std::vector<SiteSet> point_sets() {
   std::vector<SiteSet> sets{{"simple", 3, crystal(4, simple)},
-                             {"bcc", 3, crystal(4, bcc)},
-                             {"fcc", 3, crystal(3, fcc)},
-                             {"diamond", 3, crystal(3, diamond)}};
+                            {"bcc", 3, crystal(4, bcc)},
+                            {"fcc", 3, crystal(3, fcc)},
+                            {"diamond", 3, crystal(3, diamond)}};
   const std::size_t sizes[] = {0, 300, 400, 250, 120, 50, 20};
   for (int d = 1; d <= 6; ++d)
     for (const char* kind : {"uniform", "clusters", "grid", "nudged_grid", "cospherical", "flat", "collinear",
@@ -70,7 +70,8 @@ std::vector<SiteSet> point_sets() {
   return sets;
 }
 
-/// Cells at the hull of nearly flat facets may be vast, and their pieces even more so; errors are relative to those.
+/// Cells at the hull of nearly flat facets may be vast, and their pieces even more so; errors are relative to
+/// those.
 constexpr double vast = 1e6;
 
 void expect_volumes(const SiteCells& cells, const Diagram& diagram, const std::vector<double>& volumes) {
@@ -133,7 +134,8 @@ TEST(SiteCells, FillBoxes) {
         EXPECT_NEAR(std::accumulate(cells.volumes.begin(), cells.volumes.end(), 0.0), of_box, 1e-11 * of_box);
         for (std::size_t row = 0; row < cells.num_rows(); ++row)
           if (cells.volumes[row] > 0)
-            for (std::size_t j = 0; j < d; ++j) moment[j] += cells.volumes[row] * cells.centroids[row * d + j];
+            for (std::size_t j = 0; j < d; ++j)
+              moment[j] += cells.volumes[row] * cells.centroids[row * d + j];
         for (std::size_t j = 0; j < d; ++j)
           EXPECT_NEAR(moment[j] / of_box, (box.low[j] + box.high[j]) / 2, 1e-10 * (box.high[j] - box.low[j]));
         for (std::size_t row = 0; row < cells.num_rows(); ++row) {
@@ -157,7 +159,8 @@ TEST(SiteCells, HalfspacesCut) {
   const Box box{{0, 0, 0}, {1, 1, 1}};
   const SiteCells whole = site_cells(t, {.neighbors = true, .box = box});
   const SiteCells part = site_cells(
-      t, {.faces = CellFaces::proper, .neighbors = true, .box = box, .halfspaces = {1, 1, 0, -1, 1, -1, 0, 0}});
+      t,
+      {.faces = CellFaces::proper, .neighbors = true, .box = box, .halfspaces = {1, 1, 0, -1, 1, -1, 0, 0}});
   EXPECT_NEAR(std::accumulate(part.volumes.begin(), part.volumes.end(), 0.0), 0.25, 1e-14);
   std::size_t same = 0;
   for (std::size_t row = 0; row < part.num_rows(); ++row) {
@@ -165,7 +168,8 @@ TEST(SiteCells, HalfspacesCut) {
     if (part.volumes[row] == whole.volumes[row]) ++same;
   }
   EXPECT_GT(same, 10u);
-  const ClippedRegions regions = Voronoi<>(t).clipped_regions(box, std::vector<double>{1, 1, 0, -1, 1, -1, 0, 0});
+  const ClippedRegions regions =
+      Voronoi<>(t).clipped_regions(box, std::vector<double>{1, 1, 0, -1, 1, -1, 0, 0});
   for (std::size_t row = 0; row < part.num_rows(); ++row)
     EXPECT_EQ(part.num_faces[row], regions.region_offsets[row + 1] - regions.region_offsets[row]);
 }
@@ -277,7 +281,8 @@ TEST(SiteCells, CrystalsHaveTheirCells) {
 }
 
 bool are_same_bits(const std::vector<double>& a, const std::vector<double>& b) {
-  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
 }
 
 TEST(SiteCells, DoNotDependOnThreads) {
@@ -285,7 +290,8 @@ TEST(SiteCells, DoNotDependOnThreads) {
     const std::vector<double> points = make_point_set("clusters", d, d == 4 ? 3000 : 20000, 4);
     const Delaunay<> one(points, d), four(points, d, {.threads = 4});
     for (const bool in_box : {false, true}) {
-      SiteCellsOptions options{.faces = d < 4 ? CellFaces::proper : CellFaces::triangulated, .neighbors = true};
+      SiteCellsOptions options{.faces = d < 4 ? CellFaces::proper : CellFaces::triangulated,
+                               .neighbors = true};
       if (in_box && d == 4) continue;
       if (in_box) options.box = Voronoi<>(one).bounding_box(0);
       const SiteCells expected = site_cells(one, options), found = site_cells(four, options, {.threads = 3});
@@ -323,7 +329,8 @@ TEST(SiteCells, ScaleWithThePoints) {
 TEST(SiteCells, HaveNoRange) {
   const double huge = 1.7e308;
   const SiteCells cells = site_cells(Delaunay<2>(std::vector<std::array<double, 2>>{
-      {-huge, -huge}, {huge, -huge}, {huge, huge}, {-huge, huge}, {0, 0}}), {.neighbors = true});
+                                         {-huge, -huge}, {huge, -huge}, {huge, huge}, {-huge, huge}, {0, 0}}),
+                                     {.neighbors = true});
   EXPECT_TRUE(std::isinf(cells.volumes[4]));
   EXPECT_EQ(cells.centroids[8], 0);
   EXPECT_EQ(cells.num_faces[4], 4);
@@ -344,7 +351,8 @@ TEST(SiteCells, FewSites) {
   EXPECT_EQ(none.num_rows(), 0u);
   const Delaunay<2> one(std::vector<std::array<double, 2>>{{1, 2}, {1, 2}});
   EXPECT_EQ(site_cells(one).volumes, (std::vector<double>{std::numeric_limits<double>::infinity(), 0}));
-  const SiteCells boxed = site_cells(one, {.faces = CellFaces::proper, .neighbors = true, .box = Box{{0, 0}, {2, 3}}});
+  const SiteCells boxed =
+      site_cells(one, {.faces = CellFaces::proper, .neighbors = true, .box = Box{{0, 0}, {2, 3}}});
   EXPECT_EQ(boxed.volumes, (std::vector<double>{6, 0}));
   EXPECT_EQ(boxed.areas[0], 10);
   EXPECT_EQ(boxed.centroids[0], 1);
@@ -363,7 +371,8 @@ TEST(SiteCells, RefuseWhatTheyCannotDo) {
   EXPECT_EQ(code({.box = Box{{0, 0}, {1, 1}}, .halfspaces = {1, 0}}), Errc::invalid_argument);
   EXPECT_EQ(code({.box = Box{{0, 0}, {1, 1}}, .halfspaces = {0, 0, 1}}), Errc::invalid_argument);
   EXPECT_EQ(test::code_of([&] { site_cells(FurthestSite<2>()); }), Errc::invalid_argument);
-  EXPECT_EQ(test::code_of([&] { site_cells(t, {}, {.progress = [](double) { return false; }}); }), Errc::cancelled);
+  EXPECT_EQ(test::code_of([&] { site_cells(t, {}, {.progress = [](double) { return false; }}); }),
+            Errc::cancelled);
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 
 #include "particles/pieces_kernel.hpp"
 
-#include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>
+#include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -27,11 +27,16 @@ struct Cell {
   std::vector<std::uint32_t> corners;
 
   ExactNeighbors exact() const { return {k, d, high, low, weight_high, weight_low}; }
-  double t(std::size_t i) const { return records[i * record_size(d) + d + alpha] / records[i * record_size(d) + d + square]; }
+  double t(std::size_t i) const {
+    return records[i * record_size(d) + d + alpha] / records[i * record_size(d) + d + square];
+  }
 };
 
-Cell make_cell(std::size_t k, std::size_t d, const std::vector<double>& edges, const std::vector<double>& weights) {
-  Cell cell{k, d, edges, std::vector<double>(edges.size(), 0.0), weights, std::vector<double>(weights.size(), 0.0), {}, {}};
+Cell make_cell(std::size_t k, std::size_t d, const std::vector<double>& edges,
+               const std::vector<double>& weights) {
+  Cell cell{
+      k,  d, edges, std::vector<double>(edges.size(), 0.0), weights, std::vector<double>(weights.size(), 0.0),
+      {}, {}};
   cell.corners.resize(k);
   std::iota(cell.corners.begin(), cell.corners.end(), 0u);
   for (std::size_t i = 0; i < k; ++i) {
@@ -80,10 +85,12 @@ TEST(WidePieces, IntegersAgreeWithFractions) {
       const Cell cell = make_cell(2, 2, e, weights);
       std::vector<double> pieces(piece_size(2, 2));
       const Rational ax = e[0], ay = e[1], bx = e[2], by = e[3], half(1, 2);
-      const Rational la = ax * ax + ay * ay, lb = bx * bx + by * by, ab = ax * bx + ay * by, det = ax * by - ay * bx;
+      const Rational la = ax * ax + ay * ay, lb = bx * bx + by * by, ab = ax * bx + ay * by,
+                     det = ax * by - ay * bx;
       if (det == 0) continue;
       find_pieces_exactly(cell.exact(), cell.corners.data(), pieces.data());
-      const Rational alpha_a = half * (la + Rational(weights[0])), alpha_b = half * (lb + Rational(weights[1]));
+      const Rational alpha_a = half * (la + Rational(weights[0])),
+                     alpha_b = half * (lb + Rational(weights[1]));
       const Rational box = det < 0 ? Rational(-det) : det;
       EXPECT_DOUBLE_EQ(pieces[0], static_cast<double>((la * alpha_b - ab * alpha_a) / box));
       EXPECT_DOUBLE_EQ(pieces[1], static_cast<double>((lb * alpha_a - ab * alpha_b) / box));
@@ -104,7 +111,8 @@ TEST(WidePieces, IntegersAgreeWithFractionsInSpace) {
       std::vector<std::vector<Rational>> n(3, std::vector<Rational>(3));
       for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j)
-          n[i][j] = at((i + 1) % 3, j + 1) * at((i + 2) % 3, j + 2) - at((i + 1) % 3, j + 2) * at((i + 2) % 3, j + 1);
+          n[i][j] = at((i + 1) % 3, j + 1) * at((i + 2) % 3, j + 2) -
+                    at((i + 1) % 3, j + 2) * at((i + 2) % 3, j + 1);
       Rational det = 0;
       for (std::size_t j = 0; j < 3; ++j) det += at(0, j) * n[0][j];
       if (det == 0) continue;
@@ -142,18 +150,21 @@ TEST(WidePieces, StagesKeepTheirBounds) {
         for (int round = 0; round < 8; ++round) {
           std::vector<double> weights;
           if (round % 2 == 1)
-            for (std::size_t i = 0; i < k; ++i) weights.push_back(std::uniform_real_distribution<>(-0.5, 0.5)(random));
+            for (std::size_t i = 0; i < k; ++i)
+              weights.push_back(std::uniform_real_distribution<>(-0.5, 0.5)(random));
           const Cell cell = make_cell(k, d, random_edges(k, d, thickness, random), weights);
           const std::size_t size = piece_size(k, d);
           std::vector<double> exact(size), one(size), pairs(size), lanes(8 * size);
           find_pieces_exactly(cell.exact(), cell.corners.data(), exact.data());
           find_pieces(k, d, cell.records.data(), cell.corners.data(), one.data());
           find_pieces_in_pairs(cell.exact(), cell.corners.data(), pairs.data());
-          const double volume = volume_of(cell, exact), sum = exact[k + d], roundings = 1e-13 * sum;
+          const double volume = volume_of(cell, exact), sum = exact[k + d],
+                       roundings = exact[k + d + 1] + 1e-15 * sum;
           const auto expect_bound = [&](const std::vector<double>& found, const char* stage) {
             SCOPED_TRACE(stage);
             const double error = found[k + d + 1];
             EXPECT_GE(error, 0);
+            if (std::isinf(error)) return;  // nothing is known
             EXPECT_LE(std::abs(volume_of(cell, found) - volume), error + roundings);
             EXPECT_LE(std::abs(found[k + d] - sum), error + roundings);
           };
