@@ -17,8 +17,9 @@
 namespace delone::particles {
 namespace {
 
-/// What a volume may be off by, relative to the sum of the absolute pieces; half of it goes to the pieces.
-constexpr double tolerance = 1e-12;
+/// What the computed pieces of a cell may be off by in all, relative to the sum of their absolute values.
+/// 10⁻¹³ more is for sums over them.
+constexpr double tolerance = 9e-13;
 /// More cells are summed with compensation.
 constexpr std::size_t most_cells_of_plain_sums = 500;
 
@@ -62,6 +63,11 @@ void CellMeasure::scale() {
   for (const double x : high_) largest = std::max(largest, std::abs(x));
   if (largest > 0) std::frexp(largest, &exponent_);
   const auto multiply = [](std::vector<double>& numbers, int exponent) {
+    if (std::abs(exponent) < 1000) {
+      const double factor = std::ldexp(1.0, exponent);
+      for (double& x : numbers) x *= factor;
+      return;
+    }
     // In two steps, as the power itself may be out of range.
     const double first = std::ldexp(1.0, exponent / 2), second = std::ldexp(1.0, exponent - exponent / 2);
     for (double& x : numbers) x = x * first * second;
@@ -150,8 +156,8 @@ void CellMeasure::improve() {
       error += error_of(c);
       if (error_of(c) < size_of(c)) certain += size_of(c) - error_of(c);
     }
-    if (error <= tolerance / 2 * size) return;
-    const double most = most_error(tolerance / 4 * certain);
+    if (error <= tolerance * size) return;
+    const double most = most_error(0.9 * tolerance * certain);
     for (std::size_t c = 0; c < num_cells_; ++c) {
       if (error_of(c) <= most) continue;
       if (exactly) {

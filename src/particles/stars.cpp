@@ -4,6 +4,7 @@
 #include "base/compiled_dimension.hpp"
 #include "base/large_vector.hpp"
 #include "base/quick_rounds.hpp"
+#include "kernel/buffer.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -35,7 +36,7 @@ void Stars::sort(const Complex& complex) {
   const std::size_t size = K > 0 ? static_cast<std::size_t>(K) + 1 : k_ + 1;
   const auto num_cells = static_cast<std::size_t>(complex.num_all_cells());
   std::vector<std::size_t> begin(complex.num_vertex_slots() + 1, 0);
-  std::vector<Index> sorted(size);
+  kernel::Buffer<Index, K + (K > 0 ? 1 : 0)> sorted(size);
   internal::QuickRounds round;
   for (const CellId c : complex.all_cells()) {
     round();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "particles/wide_pieces.hpp"
 
+#include "base/compiled_dimension.hpp"
 #include "kernel/fractions.hpp"
 #include "kernel/grid.hpp"
 
@@ -111,6 +112,33 @@ auto writer(double* pieces) {
   return [pieces](std::size_t i, double x) { pieces[i] = x; };
 }
 
+template <int K>
+void find_in_pairs(const ExactNeighbors& neighbors, const std::uint32_t* corners, double* pieces) {
+  const std::size_t k = K > 0 ? static_cast<std::size_t>(K) : neighbors.k, d = K > 0 ? k : neighbors.d;
+  kernel::Buffer<double, K> lambda(k), squares(k);
+  Remainders<double, DoubleDouble, K, K> edges(k, d);
+  for (std::size_t i = 0; i < k; ++i) {
+    DoubleDouble* const edge = edges.r.data() + i * d;
+    for (std::size_t j = 0; j < d; ++j)
+      edge[j] = {neighbors.high[corners[i] * d + j], neighbors.low[corners[i] * d + j]};
+    DoubleDouble sum = dot(edge, edge, d);
+    squares[i] = sum.high;
+    lambda[i] = std::sqrt(sum.high);
+    double size = sum.high;
+    if (!neighbors.weight_high.empty()) {
+      const DoubleDouble weight{neighbors.weight_high[corners[i]], neighbors.weight_low[corners[i]]};
+      sum = sum + weight;
+      size += std::abs(weight.high);
+    }
+    edges.alpha[i] = {sum.high / 2, sum.low / 2};
+    edges.epsilon[i] = pair_roundoff * lambda[i];
+    edges.tau[i] = static_cast<double>(d + 3) * pair_roundoff * size;
+  }
+  Flags<double, K, K> flags(k, d);
+  eliminate<double, DoubleDouble, K, K>(flags, lambda.data(), pair_roundoff, 0, 0, edges);
+  sum_flags<double, K, K>(flags, squares.data(), writer(pieces));
+}
+
 }  // namespace
 
 void find_pieces(std::size_t k, std::size_t d, const double* records, const std::uint32_t* corners,
@@ -133,29 +161,10 @@ void find_pieces(std::size_t k, std::size_t d, const double* records, const std:
 }
 
 void find_pieces_in_pairs(const ExactNeighbors& neighbors, const std::uint32_t* corners, double* pieces) {
-  const std::size_t k = neighbors.k, d = neighbors.d;
-  std::vector<double> lambda(k), squares(k);
-  Remainders<double, DoubleDouble, 0, 0> edges(k, d);
-  for (std::size_t i = 0; i < k; ++i) {
-    DoubleDouble* const edge = edges.r.data() + i * d;
-    for (std::size_t j = 0; j < d; ++j)
-      edge[j] = {neighbors.high[corners[i] * d + j], neighbors.low[corners[i] * d + j]};
-    DoubleDouble sum = dot(edge, edge, d);
-    squares[i] = sum.high;
-    lambda[i] = std::sqrt(sum.high);
-    double size = sum.high;
-    if (!neighbors.weight_high.empty()) {
-      const DoubleDouble weight{neighbors.weight_high[corners[i]], neighbors.weight_low[corners[i]]};
-      sum = sum + weight;
-      size += std::abs(weight.high);
-    }
-    edges.alpha[i] = {sum.high / 2, sum.low / 2};
-    edges.epsilon[i] = pair_roundoff * lambda[i];
-    edges.tau[i] = static_cast<double>(d + 3) * pair_roundoff * size;
-  }
-  Flags<double, 0, 0> flags(k, d);
-  eliminate<double, DoubleDouble, 0, 0>(flags, lambda.data(), pair_roundoff, 0, 0, edges);
-  sum_flags<double, 0, 0>(flags, squares.data(), writer(pieces));
+  // Where sizes are known, nothing is allocated.
+  const std::size_t known = has_lanes(neighbors.k, neighbors.d) ? neighbors.k : 0;
+  internal::with_compiled_dimension<2, most_lanes_dimension>(
+      known, [&](auto k) { find_in_pairs<k()>(neighbors, corners, pieces); });
 }
 
 void find_pieces_exactly(const ExactNeighbors& neighbors, const std::uint32_t* corners, double* pieces) {
