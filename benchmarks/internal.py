@@ -16,7 +16,7 @@ import tempfile
 
 import record
 
-PROGRAMS = ("kernel", "order", "phases", "touch", "workers")
+PROGRAMS = ("cells", "kernel", "order", "phases", "touch", "workers")
 # The fields that Google Benchmark adds to the counters of the program.
 ITS_OWN = {"family_index", "per_family_instance_index", "repetitions", "repetition_index", "threads", "iterations", "real_time", "cpu_time",
            "items_per_second"}

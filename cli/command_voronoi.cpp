@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone voronoi, delone power: points in, Voronoi or power diagram out, and what it cost.
+#include "box_option.hpp"
 #include "interrupt.hpp"
 #include "memory_limit.hpp"
 #include "report.hpp"
@@ -40,25 +41,6 @@ void require_use_of_box(const VoronoiOptions& options) {
   if (to.output.empty() || !to.qhull.empty() || format.ends_with("npz") || format.ends_with("json"))
     throw UsageError(
         "--box cuts pictures and volumes: it is for an output as svg, vtu or html, and for --volumes");
-}
-
-/// The box of --box; none if it was not given. Checked before the work.
-std::optional<Box> chosen_box(const VoronoiOptions& options, int dimension) {
-  if (options.box.empty()) return std::nullopt;
-  const auto d = static_cast<std::size_t>(dimension);
-  if (options.box.size() != 2 * d)
-    throw UsageError(fmt::format(
-        "--box takes {} numbers for dimension {}: all lower limits, then all upper ones; {} were given",
-        2 * d, dimension, options.box.size()));
-  Box box;
-  for (std::size_t j = 0; j < d; ++j) {
-    if (!std::isfinite(options.box[j]) || !std::isfinite(options.box[d + j]) ||
-        !(options.box[j] < options.box[d + j]))
-      throw UsageError(fmt::format("--box: the limits along axis {} must be finite, low below high", j));
-    box.low.push_back(options.box[j]);
-    box.high.push_back(options.box[d + j]);
-  }
-  return box;
 }
 
 /// Throws what the writing would throw in the end, before the work.
@@ -191,7 +173,7 @@ int run_voronoi(const VoronoiOptions& options) {
                                    : options.weighted.input.read(options.build.threads);
   cost.read = seconds_since(start);
   check_outputs(options, table.dimension);
-  const std::optional<Box> box = chosen_box(options, table.dimension);
+  const std::optional<Box> box = chosen_box(options.box, table.dimension);
   if (!options.furthest_site)
     about(input_name(options.weighted.input.path), [&] { warn_of_memory(table, options.build); });
   const std::vector<std::string> column_names = table.column_names;

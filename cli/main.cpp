@@ -209,6 +209,9 @@ int run(int argc, char** argv) {
       {"delone regular table.csv --columns x,y --weights w -o regular.npz"});
   add("power", "Compute the power diagram of weighted points", add_power,
       {"delone power table.csv --columns x,y --weights w -o power.svg"});
+  add("cells", "Measure the cells of points: volumes, centroids, surfaces, neighbors", add_cells,
+      {"delone cells points.csv -o cells.csv",
+       "delone cells points.csv --box 0,0,1,1 --neighbors -o cells.npz"});
   add("alpha", "Compute the alpha complex of points, or its boundary", add_alpha,
       {"delone alpha points.csv --radius 0.2 -o alpha.npz"});
   add("locate", "Locate query points in the triangulation of points", add_locate,

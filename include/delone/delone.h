@@ -116,6 +116,7 @@ DELONE_C_API void delone_set_progress(delone_progress progress, void* user_data)
  *   integer  canonical 0        of checks: 1 also asks for the triangulation that ties are broken to
  *   integer  oriented 1         of checks: 0 takes cells as sets, as Qhull and SciPy have them
  *   integer  furthest_site 0    of checks of a "triangulation" whose kind is "": 1 asks for furthest sites
+ *   integer  proper_faces 0     of cells of sites: 1 counts only faces with an area
  *   text     format ""          of files that are read; "": by the extension
  *   text     columns            of files of points: a name, a number from 0, or a range such as 2-5. Each
  *                               call adds one; NULL removes all; none: all columns
@@ -214,6 +215,9 @@ DELONE_C_API int delone_set_text(delone_options* options, const char* name, cons
  * "points" (read)       integer dimension num_points; array points n x d, skipped_rows
  * "interpolator"        integer dimension columns
  * "lists" (of queries)  array offsets q+1 (int64), and the arrays that the query names
+ * "site_cells"          integer dimension; array volumes, centroids, areas, num_faces, an entry for each row
+ *                       (infinity and NaN for unbounded cells), neighbor_offsets (int64), neighbors (-1: a wall),
+ *                       face_areas, distances, num_edges (in 3 dimensions)
  * "report" (of checks)  integer ok level ties; text level_name level_meaning violation (empty if ok is 1)
  *                       not_examined (what the data say without holding a proof; mostly empty);
  *                       array cells, points, vertices, halfspaces (int64): what the violation concerns
@@ -430,6 +434,15 @@ DELONE_C_API int delone_height_above(const delone_object* hull, const double* po
  * Option: threads. UNSUPPORTED for d > 12. */
 DELONE_C_API int delone_region_volumes(const delone_object* diagram, const double* low, const double* high,
                                        const delone_options* options, double* volumes);
+
+/* Volumes, centroids, surfaces and neighbors of the cells of the sites of a Delaunay or regular triangulation
+ * that was made, without a diagram: "site_cells". low, high: NULL, or the box that cells are clipped to; with
+ * it halfspaces, num_halfspaces rows of d + 1 numbers a, c of a x + c <= 0, NULL for none. Options: threads,
+ * proper_faces. Errors: INVALID_ARGUMENT, UNSUPPORTED for d > 12, and for proper_faces in a box for d > 3,
+ * OUT_OF_MEMORY, CANCELLED. */
+DELONE_C_API int delone_site_cells(const delone_object* triangulation, const double* low, const double* high,
+                                   const double* halfspaces, size_t num_halfspaces,
+                                   const delone_options* options, delone_object** object);
 
 /* The sign of the orientation of d+1 points of R^d, exactly: 1 positive, -1 negative, 0 if they are in a
  * hyperplane. */

@@ -38,6 +38,7 @@
 #include <delone/progress.hpp>
 #include <delone/rational.hpp>
 #include <delone/regular.hpp>
+#include <delone/site_cells.hpp>
 #include <delone/triangulation.hpp>
 #include <delone/trim.hpp>
 #include <delone/types.hpp>

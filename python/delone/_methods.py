@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import types
 
-from . import _clipped_regions, _core, _export, _files, _frames, _html, _plot, _polyhedra, _viewer
+from . import _clipped_regions, _core, _export, _files, _frames, _html, _plot, _polyhedra, _site_cells, _viewer
 from ._transform import transform
 
 OF = {
     _core.Triangulation: {"plot": _plot.triangulation, "_repr_html_": _html.triangulation, "to_frame": _frames.triangulation,
                           "to_html": _viewer.triangulation, "save": _files.save, "to_data": _files.to_data,
                           **_export.methods(_export.triangulation)},
+    _core.Delaunay: {"site_cells": _site_cells.site_cells},
+    _core.Regular: {"site_cells": _site_cells.site_cells},
     _core.ConvexHull: {"plot": _plot.convex_hull, "_repr_html_": _html.convex_hull, "to_frame": _frames.convex_hull,
                        "to_html": _viewer.convex_hull, "save": _files.save, "to_data": _files.to_data, **_export.methods(_export.convex_hull)},
     _core.LowerHull: {"plot": _plot.lower_hull, "_repr_html_": _html.lower_hull, "to_frame": _frames.lower_hull, "save": _files.save,

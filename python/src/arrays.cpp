@@ -345,4 +345,15 @@ Queries::Queries(const py::object& object, int dimension, const py::object& colu
   size_ = static_cast<std::size_t>(array_.size()) / static_cast<std::size_t>(dimension);
 }
 
+std::optional<Box> as_box(const py::object& object) {
+  if (object.is_none()) return std::nullopt;
+  const auto corners = as_doubles(object, "box");
+  if (corners.ndim() != 2 || corners.shape(0) != 2)
+    throw py::value_error("box: (low, high), each of d numbers");
+  const auto numbers_of_both = numbers(corners);
+  const std::size_t d = numbers_of_both.size() / 2;
+  return Box{{numbers_of_both.begin(), numbers_of_both.begin() + static_cast<std::ptrdiff_t>(d)},
+             {numbers_of_both.begin() + static_cast<std::ptrdiff_t>(d), numbers_of_both.end()}};
+}
+
 }  // namespace delone::python

@@ -6,11 +6,13 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include <delone/data.hpp>
 #include <delone/types.hpp>
 
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -54,6 +56,9 @@ inline void let_signals_through(py::ssize_t round) {
 inline std::span<const double> numbers(const py::array_t<double>& array) {
   return {array.data(), static_cast<std::size_t>(array.size())};
 }
+
+/// (low, high), or nothing for None.
+std::optional<Box> as_box(const py::object& object);
 
 /// An (n, d) array of points, d ≥ 1. Raises ValueError for any other shape, InputError for numbers that are
 /// not finite.

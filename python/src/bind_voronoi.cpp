@@ -101,17 +101,6 @@ class HeldFurthest : public HeldDiagram {
   using HeldDiagram::HeldDiagram;
 };
 
-std::optional<Box> as_box(const py::object& object) {
-  if (object.is_none()) return std::nullopt;
-  const auto corners = as_doubles(object, "box");
-  if (corners.ndim() != 2 || corners.shape(0) != 2)
-    throw py::value_error("box: (low, high), each of d numbers");
-  const auto numbers_of_both = numbers(corners);
-  const std::size_t d = numbers_of_both.size() / 2;
-  return Box{{numbers_of_both.begin(), numbers_of_both.begin() + static_cast<std::ptrdiff_t>(d)},
-             {numbers_of_both.begin() + static_cast<std::ptrdiff_t>(d), numbers_of_both.end()}};
-}
-
 /// That of the region of each row: 0 if it is hidden, NaN if it was removed.
 std::vector<double> at_points(const HeldDiagram& held, const std::vector<double>& of_regions) {
   const std::span<const SignedIndex> regions = held.diagram().point_region();

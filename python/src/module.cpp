@@ -89,6 +89,7 @@ PYBIND11_MODULE(_core, module) {
   python::bind_convex_hull(module);
   python::bind_convex_hulls(module);
   python::bind_voronoi(module);
+  python::bind_site_cells(module);
   python::bind_halfspaces(module);
   python::bind_cell_maps(module);
   python::bind_clough_tocher(module);

@@ -32,30 +32,89 @@ std::size_t SimplePolytope::LabelsHash::operator()(const std::vector<std::size_t
   return static_cast<std::size_t>(hash);
 }
 
-double SimplePolytope::volume() {
-  if (x_.empty()) return 0;
+/// Lengths are in units of a power of two near the diameter, so that no product overflows or underflows.
+bool SimplePolytope::set_scale() {
   double largest = 0;
   for (const double* x : x_)
-    for (std::size_t j = 0; j < d_; ++j) {
-      const double difference = std::abs(x[j] / 2 - x_[0][j] / 2);
-      if (!std::isfinite(difference)) return std::numeric_limits<double>::infinity();
-      largest = std::max(largest, difference);
-    }
-  if (largest == 0) return 0;
-  // Lengths are in units of a power of two near the diameter, so that no product overflows or underflows.
+    for (std::size_t j = 0; j < d_; ++j) largest = std::max(largest, std::abs(x[j] / 2 - x_[0][j] / 2));
+  if (!(largest > 0) || !std::isfinite(largest)) return false;
   const int exponent = std::ilogb(largest) + 1;
   scale_ = std::ldexp(1.0, -std::clamp(exponent, -1000, 1000));
+  return true;
+}
+
+void SimplePolytope::start_measuring(bool with_centroids) {
+  with_centroids_ = with_centroids;
   entries_.resize(std::max(entries_.size(), m_ + 1));
   best_normals_.resize(entries_.size());
   normal_.resize(d_);
   bases_.clear();
+  centroids_.clear();
   known_.clear();
   on_.clear();
   face_.clear();
-  for (std::size_t corner = 0; corner < x_.size(); ++corner) face_.push_back(corner);
-  double volume = measure_face(m_, 0, face_.size()).volume;
-  for (std::size_t i = 0; i < m_; ++i) volume = volume / scale_;
+}
+
+double SimplePolytope::unscaled(double volume, std::size_t dimension) const {
+  for (std::size_t i = 0; i < dimension; ++i) volume = volume / scale_;
   return volume;
+}
+
+double SimplePolytope::volume() {
+  if (x_.empty()) return 0;
+  for (const double* x : x_)
+    for (std::size_t j = 0; j < d_; ++j)
+      if (!std::isfinite(x[j] / 2 - x_[0][j] / 2)) return std::numeric_limits<double>::infinity();
+  if (!set_scale()) return 0;
+  start_measuring(false);
+  for (std::size_t corner = 0; corner < x_.size(); ++corner) face_.push_back(corner);
+  return unscaled(measure_face(m_, 0, face_.size()).volume, m_);
+}
+
+/// The pyramids from the first corner over all facets.
+SimplePolytope::Measures SimplePolytope::measures() {
+  Measures result;
+  if (x_.empty()) return result;
+  const bool has_extent = set_scale();
+  start_measuring(true);
+  std::vector<Entry> entries;
+  for (std::size_t corner = 0; corner < x_.size(); ++corner)
+    for (std::size_t i = 0; i < m_; ++i) entries.push_back({labels_[corner * m_ + i], corner});
+  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    return a.label < b.label || (a.label == b.label && a.corner < b.corner);
+  });
+  internal::CompensatedSum volume;
+  std::vector<double> sum(d_, 0.0);
+  for (std::size_t begin = 0, end = 0; begin < entries.size(); begin = end) {
+    const std::size_t label = entries[begin].label;
+    face_.clear();
+    for (; end < entries.size() && entries[end].label == label; ++end) face_.push_back(entries[end].corner);
+    if (!has_extent) continue;
+    on_.assign(1, label);
+    const Face facet = measure_face(m_ - 1, 0, face_.size());
+    result.facets.push_back({label, end - begin, unscaled(facet.volume, m_ - 1)});
+    if (!(facet.volume > 0) || std::find(labels_.begin(), labels_.begin() + static_cast<std::ptrdiff_t>(m_),
+                                         label) != labels_.begin() + static_cast<std::ptrdiff_t>(m_))
+      continue;
+    const double part = facet.volume * height(0, facet, m_ - 1);
+    volume.add(part);
+    add_pyramid(0, facet, m_, part, sum);
+  }
+  if (!(volume.value() > 0)) return result;
+  result.volume = unscaled(volume.value() / static_cast<double>(m_), m_);
+  for (double& x : sum) x = x / volume.value() / scale_;
+  result.centroid = std::move(sum);
+  return result;
+}
+
+/// The centroid of a pyramid of dimension m is that of its apex and of m points at the centroid of its base.
+void SimplePolytope::add_pyramid(std::size_t apex, const Face& base, std::size_t dimension, double part,
+                                 std::vector<double>& sum) const {
+  const auto m = static_cast<double>(dimension);
+  for (std::size_t j = 0; j < d_; ++j) {
+    const double of_base = dimension == 1 ? x_[base.origin][j] * scale_ : centroids_[base.centroid + j];
+    sum[j] += part * ((x_[apex][j] * scale_ + m * of_base) / (m + 1));
+  }
 }
 
 double SimplePolytope::height(std::size_t corner, const Face& face, std::size_t dimension) {
@@ -126,6 +185,7 @@ SimplePolytope::Face SimplePolytope::measure_face(std::size_t dimension, std::si
   // thin facet are less accurate.
   double largest = 0;
   Face base{0, 0, 0};
+  std::vector<double> centroid(with_centroids_ ? d_ : 0);
   for (std::size_t begin = 0, end = 0; begin < entries.size(); begin = end) {
     const std::size_t corners = face_.size(), label = entries[begin].label;
     for (; end < entries.size() && entries[end].label == label; ++end) face_.push_back(entries[end].corner);
@@ -136,6 +196,7 @@ SimplePolytope::Face SimplePolytope::measure_face(std::size_t dimension, std::si
     if (!(facet.volume > 0)) continue;
     const double part = facet.volume * height(origin, facet, dimension - 1);
     sum.add(part);
+    if (with_centroids_) add_pyramid(origin, facet, dimension, part, centroid);
     if (part > largest) {
       largest = part;
       base = facet;
@@ -149,7 +210,9 @@ SimplePolytope::Face SimplePolytope::measure_face(std::size_t dimension, std::si
               bases_.begin() + static_cast<std::ptrdiff_t>(basis));
   std::copy(best_normals_[dimension].begin(), best_normals_[dimension].end(),
             bases_.end() - static_cast<std::ptrdiff_t>(d_));
-  return {sum.value() / static_cast<double>(dimension), origin, basis};
+  const std::size_t at = centroids_.size();
+  for (const double x : centroid) centroids_.push_back(x / sum.value());
+  return {sum.value() / static_cast<double>(dimension), origin, basis, at};
 }
 
 }  // namespace delone::solve

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Volumes of simple polytopes: each corner of a polytope of dimension m is on exactly m facets, which have
-// labels. Duals of triangulations are simple, and so are polytopes cut by perturbed hyperplanes. Corners may
-// coincide, so degenerate input is not a special case.
+// Volumes and centroids of simple polytopes: each corner of a polytope of dimension m is on exactly m facets,
+// which have labels. Duals of triangulations are simple, and so are polytopes cut by perturbed hyperplanes.
+// Corners may coincide, so degenerate input is not a special case.
 #pragma once
 
 #include <cstddef>
@@ -27,6 +27,18 @@ class SimplePolytope {
   /// 2000, doi:10.1007/978-3-0348-8438-9_6). Distances by Gram–Schmidt. Never negative; zero without corners.
   double volume();
 
+  struct Facet {
+    std::size_t label, num_corners;
+    double volume;  ///< (m−1)-volume
+  };
+  struct Measures {
+    double volume = 0;
+    std::vector<double> centroid;  ///< d; empty if the volume is 0
+    std::vector<Facet> facets;     ///< all that have corners, by label
+  };
+  /// The volume, the centroid and the facets. REQUIRES finite corners.
+  Measures measures();
+
  private:
   struct Entry {
     std::size_t label, corner;
@@ -36,10 +48,18 @@ class SimplePolytope {
   struct Face {
     double volume;
     std::size_t origin, basis;  // a corner; an offset in bases_
+    std::size_t centroid = 0;   // an offset in centroids_, if they are wanted; not of corners
   };
   struct LabelsHash {
     std::size_t operator()(const std::vector<std::size_t>& labels) const;
   };
+  /// The unit of length for these corners; false if all are in one place, or one is at infinity.
+  bool set_scale();
+  void start_measuring(bool with_centroids);
+  double unscaled(double volume, std::size_t dimension) const;
+  /// Adds a pyramid of `part`, dimension times its volume, to the sum that a centroid is made from.
+  void add_pyramid(std::size_t apex, const Face& base, std::size_t dimension, double part,
+                   std::vector<double>& sum) const;
   /// The face of the given dimension on the facets on_, with the corners face_[first…last).
   Face find_face(std::size_t dimension, std::size_t first, std::size_t last);
   Face measure_face(std::size_t dimension, std::size_t first, std::size_t last);
@@ -54,7 +74,8 @@ class SimplePolytope {
   std::vector<std::size_t> face_;            // a stack of lists of corners
   std::vector<std::vector<Entry>> entries_;  // by dimension
   std::vector<std::size_t> on_;              // the labels of the current face, sorted
-  std::vector<double> bases_, normal_;
+  std::vector<double> bases_, normal_, centroids_;
+  bool with_centroids_ = false;
   std::vector<std::vector<double>> best_normals_;  // by dimension
   std::unordered_map<std::vector<std::size_t>, Face, LabelsHash> known_;
   double scale_ = 1;

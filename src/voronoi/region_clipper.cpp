@@ -415,8 +415,7 @@ std::vector<std::vector<Index>> RegionClipper::faces(const std::vector<Index>& n
   return result;
 }
 
-ClippedRegion RegionClipper::geometry() {
-  ClippedRegion region;
+std::vector<RegionClipper::Corner> RegionClipper::number_corners(std::vector<Index>& number) {
   // After a tie several corners may coincide. Correctly rounded, they become equal.
   std::vector<Corner> sorted = corners();
   if (has_ties_)
@@ -425,16 +424,22 @@ ClippedRegion RegionClipper::geometry() {
     return std::lexicographical_compare(position(a), position(a) + d_, position(b), position(b) + d_);
   };
   std::sort(sorted.begin(), sorted.end(), less);
-  std::vector<Index> number(alive_.size(), invalid_index);
+  number.assign(alive_.size(), invalid_index);
   Index count = 0;
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    if (i == 0 || less(sorted[i - 1], sorted[i])) {
-      for (std::size_t j = 0; j < d_; ++j)
-        region.corners.push_back(
-            std::clamp(position(sorted[i])[j] + site_.point[j], box_.low[j], box_.high[j]));
-      ++count;
-    }
-    number[sorted[i]] = count - 1;
+  for (std::size_t i = 0; i < sorted.size(); ++i)
+    number[sorted[i]] = i > 0 && !less(sorted[i - 1], sorted[i]) ? count - 1 : count++;
+  return sorted;
+}
+
+ClippedRegion RegionClipper::geometry() {
+  ClippedRegion region;
+  std::vector<Index> number;
+  Index count = 0;
+  for (const Corner c : number_corners(number)) {
+    if (number[c] != count) continue;
+    ++count;
+    for (std::size_t j = 0; j < d_; ++j)
+      region.corners.push_back(std::clamp(position(c)[j] + site_.point[j], box_.low[j], box_.high[j]));
   }
   if (d_ == 1 && count == 2) region.faces = {{0, 1}};
   if (d_ > 1) region.faces = faces(number);

@@ -36,6 +36,15 @@ class RegionClipper {
 
   /// The d-volume of the clipped region.
   double volume();
+  /// The volume, the centroid less the site, and the facets of the clipped region, labelled by planes. Some
+  /// facets have no area if more planes than d meet in a corner.
+  SimplePolytope::Measures measures();
+  /// The planes of the facets that are not smaller than that, decided exactly, with the numbers of their
+  /// corners. None if the region has no interior. REQUIRES d ≤ 3.
+  struct ProperFacet {
+    std::size_t plane, num_corners;
+  };
+  std::vector<ProperFacet> proper_facets();
   /// The corners and faces of the clipped region, with coincident corners merged. REQUIRES d ≤ 3.
   ClippedRegion geometry();
 
@@ -84,6 +93,10 @@ class RegionClipper {
   void link_new_corners(std::size_t plane);
   kernel::Fractions solve_exactly(Corner corner);
   bool is_counterclockwise(std::size_t plane, std::size_t along, std::size_t leaves);
+  /// The corners by coordinates, and numbers for them, equal for corners with the same coordinates.
+  std::vector<Corner> number_corners(std::vector<Index>& number);
+  /// Numbers for the corners, equal for those that coincide exactly.
+  std::vector<Index> exact_numbers();
   std::vector<Index> cycle(std::size_t plane, const std::vector<Index>& number,
                            const std::vector<Corner>& corners);
 

@@ -229,6 +229,41 @@ static void diagrams(void) {
   remove("c_furthest.npz");
 }
 
+static void cells_of_sites(void) {
+  static const double points[12] = {0, 0, 2, 0, 0, 2, 2, 2, 1, 1, 1, 1}, low[2] = {0, 0}, high[2] = {2, 2};
+  static const double weights[6] = {0, 0, 0, 0, -9, 0}, half[3] = {1, 0, -1};
+  delone_object *t, *cells;
+  delone_options* options;
+  delone_array array;
+  OK(delone_options_new(&options));
+  OK(delone_delaunay(points, 6, 2, NULL, &t));
+  OK(delone_site_cells(t, NULL, NULL, NULL, 0, NULL, &cells));
+  CHECK(strcmp(delone_kind(cells), "site_cells") == 0 && get_integer(cells, "dimension") == 2);
+  array = get_array(cells, "volumes");
+  CHECK(array.shape[0] == 6 && isinf(entry(&array, 0)) && entry(&array, 4) == 2 && entry(&array, 5) == 0);
+  array = get_array(cells, "centroids");
+  CHECK(array.shape[1] == 2 && entry(&array, 8) == 1 && isnan(entry(&array, 0)));
+  array = get_array(cells, "neighbor_offsets");
+  CHECK(array.type == DELONE_INT64 && entry(&array, 5) - entry(&array, 4) == 4);
+  delone_free(cells);
+  OK(delone_site_cells(t, low, high, half, 1, NULL, &cells));
+  array = get_array(cells, "volumes");
+  CHECK(fabs(entry(&array, 0) - 0.5) < 1e-14 && fabs(entry(&array, 4) - 1) < 1e-14 && entry(&array, 1) == 0);
+  delone_free(cells);
+  FAILS(DELONE_INVALID_ARGUMENT, delone_site_cells(t, high, low, NULL, 0, NULL, &cells));
+  FAILS(DELONE_INVALID_ARGUMENT, delone_site_cells(t, low, NULL, NULL, 0, NULL, &cells));
+  FAILS(DELONE_INVALID_ARGUMENT, delone_site_cells(t, NULL, NULL, half, 1, NULL, &cells));
+  delone_free(t);
+  OK(delone_regular(points, weights, 6, 2, NULL, &t));
+  OK(delone_set_integer(options, "proper_faces", 1));
+  OK(delone_site_cells(t, low, high, NULL, 0, options, &cells));
+  array = get_array(cells, "volumes");
+  CHECK(entry(&array, 4) == 0 && fabs(entry(&array, 5) - 2) < 1e-14);
+  delone_free(cells);
+  delone_free(t);
+  delone_options_free(options);
+}
+
 void hulls_test(void) {
   cube();
   hull_with_a_tolerance();
@@ -238,4 +273,5 @@ void hulls_test(void) {
   envelopes();
   halfspaces();
   diagrams();
+  cells_of_sites();
 }

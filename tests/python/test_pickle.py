@@ -52,6 +52,7 @@ MAKERS = {
     "Locations": lambda: delone.Delaunay(POINTS).locate(POINTS[:5] + 0.1),
     "ConvexHulls": lambda: delone.convex_hulls([POINTS, POINTS[:7]]),
     "ClippedRegions": lambda: delone.Voronoi(POINTS).clipped_regions(),
+    "SiteCells": lambda: delone.Delaunay(POINTS).site_cells(neighbors=True),
     "TrimResult": lambda: delone.Delaunay(POINTS).trim(0.3),
     "TrimResult of nothing": lambda: delone.Delaunay(np.zeros((0, 2))).trim(0),
     "spatial.Delaunay": lambda: in_parts(lambda p: spatial.Delaunay(p, incremental=True)),

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Volumes, centroids, surfaces and neighbors of the cells of a Voronoi or power diagram, from the
+// triangulation alone: no diagram is made.
+#pragma once
+
+#include <delone/data.hpp>
+#include <delone/execution.hpp>
+#include <delone/export.hpp>
+#include <delone/triangulation.hpp>
+#include <delone/types.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace delone {
+
+/// Which faces of a cell count.
+enum class CellFaces : std::uint8_t {
+  /// One for each edge of the triangulation at the site. Where more than k+1 sites have one empty sphere,
+  /// some
+  /// have no area: which ones, the triangulation says.
+  triangulated,
+  /// Those of dimension k−1, decided exactly. They do not depend on how ties of the triangulation were
+  /// decided.
+  proper,
+};
+
+/// What site_cells() finds.
+struct SiteCellsOptions {
+  CellFaces faces = CellFaces::triangulated;
+  /// Whether neighbors, areas of faces and distances are listed.
+  bool neighbors = false;
+  /// Cells are clipped to this box.
+  std::optional<Box> box = std::nullopt;
+  /// With a box: cells are clipped to these halfspaces a·x + c ≤ 0 as well, rows of d + 1 numbers a, c.
+  std::vector<double> halfspaces = {};
+};
+
+/// The cells of sites: those of a Voronoi diagram, with weights those of a power diagram. Arrays have one
+/// entry for each input row. The cell of a site belongs to the first row there; a row without a cell (hidden,
+/// removed, or a duplicate of an earlier one) has volume, area and number of faces 0, centroid NaN and no
+/// neighbors.
+struct DELONE_EXPORT_TYPE SiteCells {
+  int dimension = 1;                   ///< d
+  std::vector<double> volumes;         ///< n; infinity for unbounded cells
+  std::vector<double> centroids;       ///< n×d; NaN for unbounded cells
+  std::vector<double> areas;           ///< n, of the surface of each cell; infinity for unbounded cells
+  std::vector<SignedIndex> num_faces;  ///< n; walls count, see below
+
+  /// If neighbors are wanted: those of row i are entries neighbor_offsets[i] … neighbor_offsets[i+1]−1 of the
+  /// arrays below, in increasing order. Walls, the faces on the boundary of the box or a halfspace, come
+  /// last, as neighbor −1.
+  std::vector<std::int64_t> neighbor_offsets;
+  std::vector<SignedIndex> neighbors;  ///< the row of the site on the other side of each face
+  std::vector<double> face_areas;      ///< (k−1)-volumes; infinity for unbounded faces
+  std::vector<double> distances;       ///< from the site to this neighbor; from the plane of a wall
+  std::vector<SignedIndex>
+      num_edges;  ///< of each face, the two rays of an unbounded one included; k = 3 only
+
+  std::size_t num_rows() const { return volumes.size(); }
+};
+
+/// The cells of the sites of a Delaunay or regular triangulation. Sites that span only a k-flat have their
+/// cells inside the flat, as in Diagram; with a box, cells are those of R^d.
+///
+/// A cell is the sum of signed pieces: simplices from the site over its faces of all dimensions to a center
+/// of a cell of the triangulation (docs/tasks/cells.md). A volume is off by at most 10⁻¹² times the sum of the
+/// absolute values of its pieces, as long as it is in the range of normal numbers: where rounding errors may
+/// be larger, pieces come from wider arithmetic. In a box this holds for the cells that lie inside; others
+/// are cut, as by Diagram::region_volumes().
+///
+/// No result depends on the number of threads, nor on the order of insertion, to the last bit. Cost: time and
+/// memory O(m·2^k·k²) and O(output) for m cells of the triangulation, and what cells outside of the box cost.
+/// Throws Errc::invalid_argument (a furthest-site triangulation; a box or halfspaces as described for
+/// Diagram::clipped_regions(), halfspaces without a box), unsupported (k > 12), cancelled, out_of_memory.
+DELONE_EXPORT SiteCells site_cells(const Triangulation& triangulation, const SiteCellsOptions& options = {},
+                                   const Execution& how = {});
+
+/// Writes cells of sites:
+///   npz   the arrays
+///   csv   a row for each row of the points: volume, area, num_faces and the centroid, without neighbors; standard
+///         output
+/// Throws as all writers (io.hpp).
+DELONE_EXPORT void write(const std::string& path, const SiteCells& cells, const std::string& format = {});
+
+}  // namespace delone

@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Volumes, centroids, surfaces and neighbors of the cells of sites, from a triangulation alone."""
+from __future__ import annotations
+
+import numpy as np
+
+from . import _core
+
+
+class SiteCells:
+    """The cells of the sites of a triangulation, as read-only arrays with an entry for each row of the points.
+
+    The cell of a site belongs to the first row there. Rows without a cell (hidden, removed, or duplicates of earlier ones) have volume, area
+    and number of faces 0, centroid NaN and no neighbors. Made by `Delaunay.site_cells` and `Regular.site_cells`.
+
+    Parameters
+    ----------
+    volumes : (n,) ndarray of float64
+        The volumes; infinity for unbounded cells.
+    centroids : (n, d) ndarray of float64
+        The centroids; NaN for unbounded cells.
+    areas : (n,) ndarray of float64
+        The areas of the surfaces; infinity for unbounded cells.
+    num_faces : (n,) ndarray of int
+        The numbers of faces.
+    neighbor_offsets : (n+1,) ndarray of int64, optional
+        Row i has the neighbors ``neighbors[neighbor_offsets[i]:neighbor_offsets[i+1]]``. None, as all below, unless neighbors are wanted.
+    neighbors : ndarray of int, optional
+        The row of the site on the other side of each face, increasing for each cell; -1, last, for walls: faces on the boundary of the box.
+    face_areas : ndarray of float64, optional
+        The area of each face; infinity for unbounded ones.
+    distances : ndarray of float64, optional
+        From the site to each neighbor, or to the wall.
+    num_edges : ndarray of int, optional
+        The number of edges of each face, the two rays of an unbounded one included; None unless cells have 3 dimensions.
+
+    Examples
+    --------
+    >>> import delone
+    >>> cells = delone.Delaunay([[0, 0], [2, 0], [0, 2], [2, 2], [1, 1]]).site_cells(neighbors=True)
+    >>> cells.volumes.tolist()
+    [inf, inf, inf, inf, 2.0]
+    >>> cells.neighbors_of(4).tolist()
+    [0, 1, 2, 3]
+    """
+
+    __slots__ = ("areas", "centroids", "distances", "face_areas", "neighbor_offsets", "neighbors", "num_edges", "num_faces", "volumes")
+
+    def __init__(self, volumes, centroids, areas, num_faces, neighbor_offsets=None, neighbors=None, face_areas=None, distances=None,
+                 num_edges=None):
+        self.volumes, self.centroids, self.areas, self.num_faces = volumes, centroids, areas, num_faces
+        self.neighbor_offsets, self.neighbors, self.face_areas = neighbor_offsets, neighbors, face_areas
+        self.distances, self.num_edges = distances, num_edges
+
+    def __len__(self) -> int:
+        return len(self.volumes)
+
+    def neighbors_of(self, row: int) -> np.ndarray:
+        """The neighbors of a row.
+
+        Parameters
+        ----------
+        row : int
+            A row of the points.
+
+        Returns
+        -------
+        ndarray of int
+            The rows of the sites that its cell has a face with; -1 for walls.
+
+        Raises
+        ------
+        ValueError
+            If neighbors were not wanted.
+        IndexError
+            If there is no such row.
+        """
+        if self.neighbors is None:
+            raise ValueError("neighbors_of: the cells were made without neighbors=True")
+        if not -len(self) <= row < len(self):
+            raise IndexError(f"row {row} of {len(self)}")
+        row %= len(self)
+        return self.neighbors[self.neighbor_offsets[row]:self.neighbor_offsets[row + 1]]
+
+    def __repr__(self) -> str:
+        faces = "" if self.neighbors is None else f", {len(self.neighbors)} faces"
+        return f"<delone.SiteCells: {len(self)} rows{faces}>"
+
+
+def site_cells(self, *, neighbors=False, faces="triangulated", box=None, halfspaces=None) -> SiteCells:
+    """Volumes, centroids, surfaces and neighbors of the cells of all sites, without a diagram.
+
+    Cells are those of the Voronoi diagram of the points, with weights those of the power diagram.
+
+    Parameters
+    ----------
+    neighbors : bool, optional
+        Whether to list neighbors, areas of faces and distances.
+    faces : {"triangulated", "proper"}, optional
+        Which faces count. "triangulated": one for each edge of the triangulation at the site. Where more than d+1 points have one empty
+        sphere, some have no area; which ones, the triangulation says. "proper": those with an area, decided exactly.
+    box : (low, high), optional
+        Two arrays (d,) of finite numbers: cells are clipped to this box.
+    halfspaces : (m, d+1) array_like, optional
+        Rows [A, b] of halfspaces A x + b <= 0, which clip the cells in the box as well.
+
+    Returns
+    -------
+    SiteCells
+        The arrays, by row of the points.
+
+    Raises
+    ------
+    InputError
+        If the box does not have finite limits low < high, a normal is 0, or there are halfspaces without a box.
+    ValueError
+        If an argument has another shape, or `faces` another value.
+    Error
+        If d is larger than 12, or larger than 3 for proper faces in a box.
+
+    See Also
+    --------
+    Voronoi.region_volumes : The volumes of the regions of a diagram.
+
+    Notes
+    -----
+    A cell is the sum of signed pieces. The volume of one that no box cuts is off by at most 1e-12 times the sum of their absolute volumes; where
+    rounding errors may be larger, wider arithmetic takes over. Nothing depends on the number of threads. Points that span only a k-flat have
+    their cells inside the flat; with a box cells are those of the space. Cost: about that of the triangulation; cells that the box cuts cost
+    some hundred microseconds each.
+
+    Examples
+    --------
+    >>> import delone
+    >>> t = delone.Delaunay([[0, 0], [2, 0]])
+    >>> cells = t.site_cells(box=([-1, -1], [3, 1]), neighbors=True)
+    >>> cells.volumes.tolist(), cells.centroids.tolist()
+    ([4.0, 4.0], [[0.0, 0.0], [2.0, 0.0]])
+    >>> cells.neighbors_of(0).tolist()
+    [1, -1, -1, -1]
+    """
+    if faces not in ("triangulated", "proper"):
+        raise ValueError(f"faces: 'triangulated' or 'proper', not {faces!r}")
+    if halfspaces is not None:
+        halfspaces = _core._doubles(halfspaces, "halfspaces")
+        if halfspaces.ndim != 2 or halfspaces.shape[1] != self.dimension + 1:
+            raise ValueError(f"halfspaces: an array of shape {halfspaces.shape}, not (m, {self.dimension + 1})")
+    arrays = self._site_cells(bool(neighbors), faces == "proper", box, halfspaces)
+    return SiteCells(*(arrays if neighbors else arrays[:4]))

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "particles/clipped_cells.hpp"
+
+#include "base/length.hpp"
+#include "base/parallel_parts.hpp"
+#include "kernel/determinant.hpp"
+#include "solve/cell_center.hpp"
+
+#include <delone/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace delone::particles {
+namespace {
+
+/// x is the point nearest to a center. Coordinates of the box are doubles, so rounding does not move a
+/// coordinate across them. A value of a halfspace is off by d·u for its products and sums, and u for x.
+bool is_inside(const double* x, std::size_t d, const Container& container) {
+  for (std::size_t j = 0; j < d; ++j)
+    if (!(x[j] >= container.box.low[j] && x[j] <= container.box.high[j])) return false;
+  for (std::size_t i = 0; i < container.halfspaces.size(); i += d + 1) {
+    const double* const row = container.halfspaces.data() + i;
+    double value = row[d], size = std::abs(row[d]);
+    for (std::size_t j = 0; j < d; ++j) {
+      value += row[j] * x[j];
+      size += std::abs(row[j] * x[j]);
+    }
+    constexpr double underflow = 1e-300;
+    if (!(value < -1.01 * static_cast<double>(d + 2) * kernel::unit_roundoff * size - underflow))
+      return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void check_container(const Container& container, int dimension) {
+  const auto d = static_cast<std::size_t>(dimension);
+  const auto wrong = [](const std::string& what) { throw Error(Errc::invalid_argument, what); };
+  const Box& box = container.box;
+  if (box.low.size() != d || box.high.size() != d)
+    wrong("the box has not as many coordinates as the space, " + std::to_string(dimension));
+  for (std::size_t j = 0; j < d; ++j)
+    if (!std::isfinite(box.low[j]) || !std::isfinite(box.high[j]) || !(box.low[j] < box.high[j]))
+      wrong("the box must have finite limits, low below high, along axis " + std::to_string(j));
+  if (container.halfspaces.size() % (d + 1) != 0)
+    wrong("halfspaces are rows of " + std::to_string(d + 1) + " numbers");
+  for (std::size_t i = 0; i < container.halfspaces.size(); i += d + 1) {
+    const auto row = container.halfspaces.subspan(i, d + 1);
+    if (!std::all_of(row.begin(), row.end(), [](double x) { return std::isfinite(x); }) ||
+        std::all_of(row.begin(), row.end() - 1, [](double x) { return x == 0; }))
+      wrong("halfspace " + std::to_string(i / (d + 1)) + " needs finite numbers and a normal that is not 0");
+  }
+  constexpr int largest_dimension = 12;  // 2^d corners of the box
+  if (dimension > largest_dimension)
+    throw Error(Errc::unsupported,
+                "clipping to a box is available up to dimension " + std::to_string(largest_dimension));
+}
+
+std::vector<unsigned char> centers_inside(const Triangulation& triangulation, const Stars& stars,
+                                          const sites::VertexPoints& points, const Container& container,
+                                          unsigned threads) {
+  const auto d = static_cast<std::size_t>(triangulation.dimension());
+  std::vector<unsigned char> inside(stars.num_cells(), 0);
+  constexpr std::size_t block = solve::CenterFinder::block, part = 64 * block;
+  internal::work_in_parts(threads, stars.num_cells(), part, [&] {
+    return [&, finder = solve::CenterFinder(triangulation.dimension(), triangulation.axes(), true),
+            cells = std::vector<std::size_t>(), of_block = std::vector<const double*>(),
+            weights = std::vector<double>(), centers = std::vector<double>(block * d)](
+               std::size_t first, std::size_t last, const internal::StopPoint& stop) mutable {
+      for (std::size_t c = first; c < last;) {
+        stop();
+        cells.clear();
+        of_block.clear();
+        weights.clear();
+        for (; c < last && cells.size() < block; ++c) {
+          if (stars.vertices(c)[0] == index(infinite_vertex)) continue;
+          cells.push_back(c);
+          for (const Index v : stars.vertices(c)) {
+            of_block.push_back(points.point(v));
+            if (points.weighted()) weights.push_back(points.point(v)[d]);
+          }
+        }
+        if (cells.empty()) continue;
+        finder.find_block(cells.size(), of_block.data(), points.weighted() ? weights.data() : nullptr,
+                          centers.data());
+        for (std::size_t i = 0; i < cells.size(); ++i)
+          inside[cells[i]] = is_inside(centers.data() + i * d, d, container) ? 1 : 0;
+      }
+    };
+  });
+  return inside;
+}
+
+CellClipper::CellClipper(const sites::VertexPoints& points, const Container& container)
+    : points_(points), container_(container), clipper_(container.box, false, container.halfspaces) {}
+
+void CellClipper::clip(Index v, std::span<const Index> neighbors, bool proper) {
+  const auto d = static_cast<std::size_t>(points_.ambient);
+  const auto site_of = [&](Index w) {
+    const double* const p = points_.point(w);
+    return voronoi::RegionClipper::Site{p, points_.weighted() ? p[d] : 0};
+  };
+  others_.clear();
+  for (const Index w : neighbors) others_.push_back(site_of(w));
+  clipper_.clip(site_of(v), others_);
+  measures_ = clipper_.measures();
+  faces_.clear();
+  const auto add = [&](std::size_t plane, double area, std::size_t num_corners) {
+    const bool is_wall = plane < clipper_.num_fixed_planes();
+    faces_.push_back({is_wall ? ClippedFace::wall : clipper_.other_of(plane), area,
+                      distance_of(plane, v, neighbors), num_corners});
+  };
+  if (!proper) {
+    for (const auto& facet : measures_.facets) add(facet.label, facet.volume, facet.num_corners);
+    return;
+  }
+  const auto proper_ones = clipper_.proper_facets();
+  auto facet = measures_.facets.begin();
+  for (const auto& [plane, num_corners] : proper_ones) {  // both by plane
+    while (facet->label != plane) ++facet;
+    add(plane, facet->volume, num_corners);
+  }
+}
+
+double CellClipper::distance_of(std::size_t plane, Index v, std::span<const Index> neighbors) const {
+  const auto d = static_cast<std::size_t>(points_.ambient);
+  const double* const p = points_.point(v);
+  if (plane >= clipper_.num_fixed_planes()) {
+    const double* const q = points_.point(neighbors[clipper_.other_of(plane)]);
+    return internal::length_of(d, [&](std::size_t j) { return q[j] - p[j]; });
+  }
+  if (plane < 2 * d) {
+    const double limit = plane % 2 == 0 ? container_.box.low[plane / 2] : container_.box.high[plane / 2];
+    return std::abs(limit - p[plane / 2]);
+  }
+  const double* const row = container_.halfspaces.data() + (plane - 2 * d) * (d + 1);
+  double value = row[d];
+  for (std::size_t j = 0; j < d; ++j) value += row[j] * p[j];
+  return std::abs(value) / internal::length_of(d, [&](std::size_t j) { return row[j]; });
+}
+
+}  // namespace delone::particles

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cells in a box and halfspaces: which of them lie inside, and what is left of the others.
+#pragma once
+
+#include "particles/stars.hpp"
+#include "sites/vertex_points.hpp"
+#include "voronoi/region_clipper.hpp"
+
+#include <delone/data.hpp>
+#include <delone/triangulation.hpp>
+#include <delone/types.hpp>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace delone::particles {
+
+/// The box, and rows of d + 1 numbers a, c of halfspaces a·x + c ≤ 0.
+struct Container {
+  const Box& box;
+  std::span<const double> halfspaces;
+};
+
+/// By number of the cell in `stars`: 1 if its center is certain to lie inside. REQUIRES cells of full
+/// dimension.
+std::vector<unsigned char> centers_inside(const Triangulation& triangulation, const Stars& stars,
+                                          const sites::VertexPoints& points, const Container& container,
+                                          unsigned threads);
+
+/// One side of a clipped cell.
+struct ClippedFace {
+  static constexpr std::size_t wall = static_cast<std::size_t>(-1);
+  std::size_t neighbor;   ///< a place in the list of neighbors, or `wall`
+  double area, distance;  ///< to the neighbor's site, or to the wall
+  std::size_t num_corners;
+};
+
+class CellClipper {
+ public:
+  CellClipper(const sites::VertexPoints& points, const Container& container);
+
+  /// The cell of a vertex among those of its neighbors. `proper`: only faces of full dimension, decided
+  /// exactly.
+  void clip(Index v, std::span<const Index> neighbors, bool proper);
+  double volume() const { return measures_.volume; }
+  /// The centroid less the site; empty if there is no volume.
+  std::span<const double> offset() const { return measures_.centroid; }
+  std::span<const ClippedFace> faces() const { return faces_; }
+
+ private:
+  double distance_of(std::size_t plane, Index v, std::span<const Index> neighbors) const;
+
+  const sites::VertexPoints& points_;
+  Container container_;
+  voronoi::RegionClipper clipper_;
+  std::vector<voronoi::RegionClipper::Site> others_;
+  voronoi::SimplePolytope::Measures measures_;
+  std::vector<ClippedFace> faces_;
+};
+
+/// Throws Errc::invalid_argument unless box and halfspaces are d finite numbers low < high, and rows of d + 1
+/// finite numbers with a ≠ 0; unsupported for d > 12.
+void check_container(const Container& container, int dimension);
+
+}  // namespace delone::particles

@@ -1,0 +1,379 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cells of sites against the diagram of the same triangulation, and against what must hold for any cells.
+#include "error_code.hpp"
+
+#include <delone/delaunay.hpp>
+#include <delone/furthest_site.hpp>
+#include <delone/point_sets.hpp>
+#include <delone/regular.hpp>
+#include <delone/site_cells.hpp>
+#include <delone/voronoi.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace delone {
+namespace {
+
+struct SiteSet {
+  std::string name;
+  int d;
+  std::vector<double> points;
+  std::size_t size() const { return points.size() / static_cast<std::size_t>(d); }
+};
+
+/// Copies of `basis`, in sixteenths of a cube, at all integer points of [0, m)³.
+std::vector<double> crystal(int m, const std::vector<std::array<int, 3>>& basis) {
+  std::vector<double> points;
+  for (int i = 0; i < m * m * m; ++i)
+    for (const auto& b : basis)
+      for (int j = 0; j < 3; ++j) {
+        const int at[] = {i % m, i / m % m, i / m / m};
+        points.push_back(at[j] + b[static_cast<std::size_t>(j)] / 16.0);
+      }
+  return points;
+}
+const std::vector<std::array<int, 3>> simple{{0, 0, 0}}, bcc{{0, 0, 0}, {8, 8, 8}},
+    fcc{{0, 0, 0}, {0, 8, 8}, {8, 0, 8}, {8, 8, 0}},
+    diamond{{0, 0, 0}, {0, 8, 8}, {8, 0, 8}, {8, 8, 0}, {4, 4, 4}, {4, 12, 12}, {12, 4, 12}, {12, 12, 4}};
+
+std::vector<SiteSet> point_sets() {
+  std::vector<SiteSet> sets{{"simple", 3, crystal(4, simple)},
+                            {"bcc", 3, crystal(4, bcc)},
+                            {"fcc", 3, crystal(3, fcc)},
+                            {"diamond", 3, crystal(3, diamond)}};
+  const std::size_t sizes[] = {0, 300, 400, 250, 120, 50, 20};
+  for (int d = 1; d <= 6; ++d)
+    for (const char* kind : {"uniform", "clusters", "grid", "nudged_grid", "cospherical", "flat", "collinear",
+                             "duplicates", "tilted_grid"}) {
+      const std::string name = kind;
+      if (d == 1 && (name == "flat" || name == "cospherical")) continue;
+      if (d > 3 && name == "nudged_grid") continue;  // integers of many digits for most cells
+      sets.push_back({kind, d, make_point_set(kind, d, sizes[d], 7)});
+    }
+  for (const double noise : {1e-6, 1e-9, 1e-12, 1e-15}) {
+    SiteSet noisy{"noisy lattice " + std::to_string(noise), 3, crystal(5, simple)};
+    std::mt19937 random(1);
+    for (double& x : noisy.points) x += noise * std::uniform_real_distribution<>(-1, 1)(random);
+    sets.push_back(noisy);
+  }
+  return sets;
+}
+
+/// Cells at the hull of nearly flat facets may be vast, and their pieces even more so; errors are relative to
+/// those.
+constexpr double vast = 1e6;
+
+void expect_volumes(const SiteCells& cells, const Diagram& diagram, const std::vector<double>& volumes) {
+  std::vector<int> seen(diagram.num_regions(), 0);
+  for (std::size_t row = 0; row < cells.num_rows(); ++row) {
+    const SignedIndex region = diagram.point_region()[row];
+    if (region < 0 || seen[static_cast<std::size_t>(region)]++ > 0) {
+      EXPECT_EQ(cells.volumes[row], 0) << row;
+      EXPECT_EQ(cells.num_faces[row], 0) << row;
+      EXPECT_TRUE(std::isnan(cells.centroids[row * static_cast<std::size_t>(cells.dimension)])) << row;
+      continue;
+    }
+    const double expected = volumes[static_cast<std::size_t>(region)];
+    if (std::isinf(expected)) {
+      EXPECT_EQ(cells.volumes[row], expected) << row;
+    } else if (expected < vast) {
+      EXPECT_NEAR(cells.volumes[row], expected, 1e-9 * expected + 1e-13) << row;
+    }
+  }
+}
+
+std::vector<double> weights_for(std::size_t n, double size) {
+  std::mt19937 random(5);
+  std::vector<double> weights(n);
+  for (double& w : weights) w = std::uniform_real_distribution<>(-size, size)(random);
+  return weights;
+}
+
+TEST(SiteCells, AgreeWithDiagrams) {
+  for (const SiteSet& set : point_sets()) {
+    SCOPED_TRACE(set.name + " " + std::to_string(set.d));
+    const Delaunay<> delaunay(set.points, set.d);
+    const Voronoi<> voronoi(delaunay);
+    expect_volumes(site_cells(delaunay), voronoi, voronoi.region_volumes());
+    const Regular<> regular(set.points, weights_for(set.size(), 0.02), set.d);
+    const PowerDiagram<> power(regular);
+    expect_volumes(site_cells(regular), power, power.region_volumes());
+  }
+}
+
+TEST(SiteCells, FillBoxes) {
+  for (const SiteSet& set : point_sets()) {
+    if (set.d > 4 || set.size() > (set.d > 3 ? 60 : 150)) continue;
+    SCOPED_TRACE(set.name + " " + std::to_string(set.d));
+    const auto d = static_cast<std::size_t>(set.d);
+    const Delaunay<> delaunay(set.points, set.d);
+    const Voronoi<> voronoi(delaunay);
+    const Regular<> regular(set.points, weights_for(set.size(), 0.02), set.d);
+    const PowerDiagram<> power(regular);
+    const Box around = voronoi.bounding_box(0.1);
+    Box half = around;
+    for (std::size_t j = 0; j < d; ++j) half.high[j] = (half.low[j] + half.high[j]) / 2;
+    for (const Box& box : {around, half}) {
+      const auto expect_filled = [&](const Triangulation& t, const Diagram& diagram) {
+        const SiteCells cells = site_cells(t, {.neighbors = true, .box = box});
+        expect_volumes(cells, diagram, diagram.region_volumes(box));
+        double of_box = 1;
+        std::vector<double> moment(d, 0.0);
+        for (std::size_t j = 0; j < d; ++j) of_box *= box.high[j] - box.low[j];
+        EXPECT_NEAR(std::accumulate(cells.volumes.begin(), cells.volumes.end(), 0.0), of_box, 1e-11 * of_box);
+        for (std::size_t row = 0; row < cells.num_rows(); ++row)
+          if (cells.volumes[row] > 0)
+            for (std::size_t j = 0; j < d; ++j)
+              moment[j] += cells.volumes[row] * cells.centroids[row * d + j];
+        for (std::size_t j = 0; j < d; ++j)
+          EXPECT_NEAR(moment[j] / of_box, (box.low[j] + box.high[j]) / 2, 1e-10 * (box.high[j] - box.low[j]));
+        for (std::size_t row = 0; row < cells.num_rows(); ++row) {
+          double surface = 0;
+          for (auto i = static_cast<std::size_t>(cells.neighbor_offsets[row]);
+               i < static_cast<std::size_t>(cells.neighbor_offsets[row + 1]); ++i)
+            surface += cells.face_areas[i];
+          EXPECT_NEAR(surface, cells.areas[row], 1e-12 * surface);
+        }
+      };
+      expect_filled(delaunay, voronoi);
+      expect_filled(regular, power);
+    }
+  }
+}
+
+/// A cube cut by planes through its middle keeps a quarter; cells that no plane cuts keep all their digits.
+TEST(SiteCells, HalfspacesCut) {
+  const std::vector<double> points = make_point_set("uniform", 3, 300, 2);
+  const Delaunay<> t(points, 3);
+  const Box box{{0, 0, 0}, {1, 1, 1}};
+  const SiteCells whole = site_cells(t, {.neighbors = true, .box = box});
+  const SiteCells part = site_cells(
+      t,
+      {.faces = CellFaces::proper, .neighbors = true, .box = box, .halfspaces = {1, 1, 0, -1, 1, -1, 0, 0}});
+  EXPECT_NEAR(std::accumulate(part.volumes.begin(), part.volumes.end(), 0.0), 0.25, 1e-14);
+  std::size_t same = 0;
+  for (std::size_t row = 0; row < part.num_rows(); ++row) {
+    EXPECT_LE(part.volumes[row], whole.volumes[row] * (1 + 1e-14));
+    if (part.volumes[row] == whole.volumes[row]) ++same;
+  }
+  EXPECT_GT(same, 10u);
+  const ClippedRegions regions =
+      Voronoi<>(t).clipped_regions(box, std::vector<double>{1, 1, 0, -1, 1, -1, 0, 0});
+  for (std::size_t row = 0; row < part.num_rows(); ++row)
+    EXPECT_EQ(part.num_faces[row], regions.region_offsets[row + 1] - regions.region_offsets[row]);
+}
+
+/// Areas and distances of both sides of a face agree, and with the volume: V = Σ area·distance/(2k).
+TEST(SiteCells, NeighborsAreMutual) {
+  for (const SiteSet& set : point_sets()) {
+    if (set.d < 2) continue;
+    SCOPED_TRACE(set.name + " " + std::to_string(set.d));
+    const Delaunay<> t(set.points, set.d);
+    for (const CellFaces faces : {CellFaces::triangulated, CellFaces::proper}) {
+      const SiteCells cells = site_cells(t, {.faces = faces, .neighbors = true});
+      std::map<std::pair<SignedIndex, SignedIndex>, std::size_t> places;
+      for (std::size_t row = 0; row < cells.num_rows(); ++row) {
+        const auto first = static_cast<std::size_t>(cells.neighbor_offsets[row]),
+                   last = static_cast<std::size_t>(cells.neighbor_offsets[row + 1]);
+        EXPECT_EQ(last - first, static_cast<std::size_t>(cells.num_faces[row]));
+        double volume = 0, size = 0;
+        for (std::size_t i = first; i < last; ++i) {
+          if (i > first) {
+            EXPECT_LT(cells.neighbors[i - 1], cells.neighbors[i]);
+          }
+          places[{static_cast<SignedIndex>(row), cells.neighbors[i]}] = i;
+          volume += cells.face_areas[i] * cells.distances[i] / (2 * t.affine_dimension());
+          size = std::max(size, std::pow(cells.distances[i], t.affine_dimension()));
+        }
+        if (cells.volumes[row] < vast) {
+          EXPECT_NEAR(volume, cells.volumes[row], 1e-11 * (volume + size)) << row;
+        }
+      }
+      for (const auto& [ends, i] : places) {
+        const auto other = places.find({ends.second, ends.first});
+        ASSERT_NE(other, places.end());
+        const std::size_t j = other->second;
+        EXPECT_EQ(cells.distances[i], cells.distances[j]);
+        if (std::isinf(cells.face_areas[i])) {
+          EXPECT_EQ(cells.face_areas[i], cells.face_areas[j]);
+        } else if (set.name != "nudged_grid") {
+          const double size = std::pow(cells.distances[i], t.affine_dimension() - 1);
+          EXPECT_NEAR(cells.face_areas[i], cells.face_areas[j], 1e-9 * (cells.face_areas[i] + size));
+        }
+        if (t.affine_dimension() == 3) {
+          EXPECT_EQ(cells.num_edges[i], cells.num_edges[j]);
+        }
+      }
+    }
+  }
+}
+
+/// Proper faces are the ridges of the diagram.
+TEST(SiteCells, ProperFacesAreRidges) {
+  for (const SiteSet& set : point_sets()) {
+    SCOPED_TRACE(set.name + " " + std::to_string(set.d));
+    const auto expect_ridges = [](const Triangulation& t, const Diagram& diagram) {
+      const SiteCells cells = site_cells(t, {.faces = CellFaces::proper, .neighbors = true});
+      std::vector<std::array<SignedIndex, 2>> ridges, faces;
+      std::map<std::array<SignedIndex, 2>, std::size_t> sizes;
+      for (std::size_t i = 0; i < diagram.num_ridges(); ++i) {
+        std::array<SignedIndex, 2> ends{diagram.ridge_points()[2 * i], diagram.ridge_points()[2 * i + 1]};
+        std::sort(ends.begin(), ends.end());
+        ridges.push_back(ends);
+        sizes[ends] = diagram.ridge(i).size();  // with −1 if it is unbounded: as many as edges, with two rays
+      }
+      for (std::size_t row = 0; row < cells.num_rows(); ++row)
+        for (auto i = static_cast<std::size_t>(cells.neighbor_offsets[row]);
+             i < static_cast<std::size_t>(cells.neighbor_offsets[row + 1]); ++i)
+          if (const auto here = static_cast<SignedIndex>(row); here < cells.neighbors[i]) {
+            faces.push_back({here, cells.neighbors[i]});
+            if (t.affine_dimension() == 3) {
+              EXPECT_EQ(static_cast<std::size_t>(cells.num_edges[i]), sizes[faces.back()]);
+            }
+          }
+      std::sort(ridges.begin(), ridges.end());
+      std::sort(faces.begin(), faces.end());
+      EXPECT_EQ(ridges, faces);
+    };
+    const Delaunay<> delaunay(set.points, set.d);
+    expect_ridges(delaunay, Voronoi<>(delaunay));
+    const Regular<> regular(set.points, std::vector<double>(set.size(), 0.5), set.d);
+    expect_ridges(regular, PowerDiagram<>(regular));
+  }
+}
+
+/// The faces of the cells of crystals, and their edges.
+TEST(SiteCells, CrystalsHaveTheirCells) {
+  const auto faces_of_middle = [](const std::vector<std::array<int, 3>>& basis, bool clipped) {
+    const int m = 5;
+    const std::vector<double> points = crystal(m, basis);
+    const Delaunay<3> t(points);
+    SiteCellsOptions options{.faces = CellFaces::proper, .neighbors = true};
+    if (clipped) options.box = Box{{2 - 1.0, 2 - 1.0, 2 - 1.0}, {2 + 1.0, 2 + 1.0, 2 + 1.0}};
+    const SiteCells cells = site_cells(t, options);
+    std::size_t row = 0;
+    while (!(points[3 * row] == 2 && points[3 * row + 1] == 2 && points[3 * row + 2] == 2)) ++row;
+    EXPECT_DOUBLE_EQ(cells.volumes[row], 1.0 / static_cast<double>(basis.size()));
+    std::map<int, int> by_edges;
+    for (auto i = static_cast<std::size_t>(cells.neighbor_offsets[row]);
+         i < static_cast<std::size_t>(cells.neighbor_offsets[row + 1]); ++i)
+      ++by_edges[cells.num_edges[i]];
+    return by_edges;
+  };
+  using Faces = std::map<int, int>;
+  for (const bool clipped : {false, true}) {
+    EXPECT_EQ(faces_of_middle(simple, clipped), (Faces{{4, 6}}));
+    EXPECT_EQ(faces_of_middle(bcc, clipped), (Faces{{4, 6}, {6, 8}}));
+    EXPECT_EQ(faces_of_middle(fcc, clipped), (Faces{{4, 12}}));
+    EXPECT_EQ(faces_of_middle(diamond, clipped), (Faces{{3, 12}, {6, 4}}));
+  }
+}
+
+bool are_same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
+}
+
+TEST(SiteCells, DoNotDependOnThreads) {
+  for (const int d : {2, 3, 4}) {
+    const std::vector<double> points = make_point_set("clusters", d, d == 4 ? 3000 : 20000, 4);
+    const Delaunay<> one(points, d), four(points, d, {.threads = 4});
+    for (const bool in_box : {false, true}) {
+      SiteCellsOptions options{.faces = d < 4 ? CellFaces::proper : CellFaces::triangulated,
+                               .neighbors = true};
+      if (in_box && d == 4) continue;
+      if (in_box) options.box = Voronoi<>(one).bounding_box(0);
+      const SiteCells expected = site_cells(one, options), found = site_cells(four, options, {.threads = 3});
+      EXPECT_TRUE(are_same_bits(expected.volumes, found.volumes));
+      EXPECT_TRUE(are_same_bits(expected.centroids, found.centroids));
+      EXPECT_TRUE(are_same_bits(expected.areas, found.areas));
+      EXPECT_TRUE(are_same_bits(expected.face_areas, found.face_areas));
+      EXPECT_TRUE(are_same_bits(expected.distances, found.distances));
+      EXPECT_EQ(expected.neighbors, found.neighbors);
+      EXPECT_EQ(expected.num_faces, found.num_faces);
+    }
+  }
+}
+
+/// Powers of two change no digit.
+TEST(SiteCells, ScaleWithThePoints) {
+  for (const int d : {2, 3, 4, 5}) {
+    const std::vector<double> points = make_point_set("uniform", d, 150, 9);
+    const SiteCells expected = site_cells(Delaunay<>(points, d), {.neighbors = true});
+    for (const int exponent : {200, -200}) {
+      std::vector<double> scaled = points;
+      for (double& x : scaled) x = std::ldexp(x, exponent);
+      const SiteCells found = site_cells(Delaunay<>(scaled, d), {.neighbors = true});
+      for (std::size_t row = 0; row < found.num_rows(); ++row)
+        EXPECT_EQ(found.volumes[row], std::ldexp(expected.volumes[row], d * exponent));
+      for (std::size_t i = 0; i < found.face_areas.size(); ++i) {
+        EXPECT_EQ(found.face_areas[i], std::ldexp(expected.face_areas[i], (d - 1) * exponent));
+        EXPECT_EQ(found.distances[i], std::ldexp(expected.distances[i], exponent));
+      }
+    }
+  }
+}
+
+/// Lengths from 10⁻³⁰⁰ to 10³⁰⁰, and differences of coordinates beyond the range of doubles.
+TEST(SiteCells, HaveNoRange) {
+  const double huge = 1.7e308;
+  const SiteCells cells = site_cells(Delaunay<2>(std::vector<std::array<double, 2>>{
+                                         {-huge, -huge}, {huge, -huge}, {huge, huge}, {-huge, huge}, {0, 0}}),
+                                     {.neighbors = true});
+  EXPECT_TRUE(std::isinf(cells.volumes[4]));
+  EXPECT_EQ(cells.centroids[8], 0);
+  EXPECT_EQ(cells.num_faces[4], 4);
+  for (const double size : {1e-300, 1e-100, 1e100, 1e300}) {
+    const Delaunay<1> line(std::vector<std::array<double, 1>>{{-1}, {0}, {size}, {2 * size}, {3 * size}});
+    EXPECT_DOUBLE_EQ(site_cells(line).volumes[2], size);
+    std::vector<std::array<double, 2>> points{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+    if (size > 1) continue;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) points.push_back({(i - 1) * size, (j - 1) * size});
+    const SiteCells far = site_cells(Delaunay<2>(points));
+    EXPECT_DOUBLE_EQ(far.areas[8], 4 * size);
+  }
+}
+
+TEST(SiteCells, FewSites) {
+  const SiteCells none = site_cells(Delaunay<3>());
+  EXPECT_EQ(none.num_rows(), 0u);
+  const Delaunay<2> one(std::vector<std::array<double, 2>>{{1, 2}, {1, 2}});
+  EXPECT_EQ(site_cells(one).volumes, (std::vector<double>{std::numeric_limits<double>::infinity(), 0}));
+  const SiteCells boxed =
+      site_cells(one, {.faces = CellFaces::proper, .neighbors = true, .box = Box{{0, 0}, {2, 3}}});
+  EXPECT_EQ(boxed.volumes, (std::vector<double>{6, 0}));
+  EXPECT_EQ(boxed.areas[0], 10);
+  EXPECT_EQ(boxed.centroids[0], 1);
+  EXPECT_EQ(boxed.neighbors, (std::vector<SignedIndex>{-1, -1, -1, -1}));
+}
+
+TEST(SiteCells, RefuseWhatTheyCannotDo) {
+  const Delaunay<2> t(std::vector<std::array<double, 2>>{{0, 0}, {1, 0}, {0, 1}});
+  const auto code = [&](const SiteCellsOptions& options) {
+    return test::code_of([&] { site_cells(t, options); });
+  };
+  EXPECT_EQ(code({.box = Box{{0}, {1}}}), Errc::invalid_argument);
+  EXPECT_EQ(code({.box = Box{{0, 0}, {1, 0}}}), Errc::invalid_argument);
+  EXPECT_EQ(code({.box = Box{{0, 0}, {1, std::nan("")}}}), Errc::invalid_argument);
+  EXPECT_EQ(code({.halfspaces = {1, 0, 0}}), Errc::invalid_argument);
+  EXPECT_EQ(code({.box = Box{{0, 0}, {1, 1}}, .halfspaces = {1, 0}}), Errc::invalid_argument);
+  EXPECT_EQ(code({.box = Box{{0, 0}, {1, 1}}, .halfspaces = {0, 0, 1}}), Errc::invalid_argument);
+  EXPECT_EQ(test::code_of([&] { site_cells(FurthestSite<2>()); }), Errc::invalid_argument);
+  EXPECT_EQ(test::code_of([&] { site_cells(t, {}, {.progress = [](double) { return false; }}); }),
+            Errc::cancelled);
+}
+
+}  // namespace
+}  // namespace delone

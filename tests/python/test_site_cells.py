@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Cells of sites from Python: arrays, their shapes, and what is refused. tests/property/site_cells_test.cpp has the numbers."""
+import numpy as np
+import pytest
+
+import delone
+
+
+def test_arrays_agree_with_the_diagram():
+    points = np.random.default_rng(1).random((300, 3))
+    points[299] = points[4]
+    t = delone.Delaunay(points)
+    cells = t.site_cells(neighbors=True)
+    volumes = delone.Voronoi(t).region_volumes(at="points")
+    np.testing.assert_allclose(cells.volumes[:299], volumes[:299], rtol=1e-9)
+    assert cells.volumes[299] == 0 and cells.num_faces[299] == 0 and np.isnan(cells.centroids[299]).all() and len(cells.neighbors_of(299)) == 0
+    bounded = np.isfinite(cells.volumes)
+    assert (np.isnan(cells.centroids).any(axis=1) == ~bounded | (cells.volumes == 0)).all()
+    assert cells.num_faces.sum() == len(cells.neighbors) == cells.neighbor_offsets[-1]
+    rows = np.repeat(np.arange(300), np.diff(cells.neighbor_offsets))
+    np.testing.assert_allclose(cells.distances, np.linalg.norm(points[rows] - points[cells.neighbors], axis=1), rtol=1e-15)
+    volumes = np.bincount(rows, cells.face_areas * cells.distances / 6, 300)
+    np.testing.assert_allclose(volumes[bounded], cells.volumes[bounded], rtol=1e-12)
+    assert (cells.num_edges >= 3).all() and cells.neighbors.dtype == np.int32
+    with pytest.raises(ValueError):
+        cells.volumes[0] = 1
+
+
+def test_boxes_and_halfspaces():
+    points = np.random.default_rng(2).random((200, 2))
+    t = delone.Regular(points, np.random.default_rng(3).random(200) * 0.01)
+    box = ([0, 0], [1, 1])
+    cells = t.site_cells(box=box, neighbors=True, faces="proper")
+    assert abs(cells.volumes.sum() - 1) < 1e-13
+    np.testing.assert_allclose(np.nansum(cells.volumes[:, None] * cells.centroids, axis=0), [0.5, 0.5], rtol=1e-12)
+    walls = cells.face_areas[cells.neighbors == -1].sum()
+    assert abs(walls - 4) < 1e-12 and cells.num_edges is None
+    half = t.site_cells(box=box, halfspaces=[[1, 1, -1]])
+    assert abs(half.volumes.sum() - 0.5) < 1e-13 and half.neighbors is None
+    assert repr(half) == "<delone.SiteCells: 200 rows>"
+
+
+def test_ties_have_proper_faces():
+    t = delone.Delaunay(np.stack(np.meshgrid(*3 * [np.arange(3.0)]), axis=-1).reshape(-1, 3))
+    assert t.site_cells(faces="proper").num_faces[13] == 6
+    assert t.site_cells().num_faces[13] > 6
+
+
+def test_threads_and_edits_do_not_matter():
+    points = np.random.default_rng(4).random((5000, 3))
+    one, two = delone.Delaunay(points, threads=1), delone.Delaunay(points[:4000], threads=2)
+    two.insert_range(points[4000:])
+    np.testing.assert_allclose(one.site_cells().volumes, two.site_cells().volumes, rtol=1e-13)
+    two.remove([7])
+    cells = two.site_cells()
+    assert cells.volumes[7] == 0 and len(cells) == 5000
+
+
+@pytest.mark.parametrize("arguments, error", [
+    ({"faces": "all"}, ValueError), ({"box": [0, 1]}, ValueError), ({"box": ([0, 0], [1, 0])}, delone.InputError),
+    ({"box": ([0], [1])}, delone.InputError), ({"halfspaces": [[1, 0, 0]]}, delone.InputError),
+    ({"box": ([0, 0], [1, 1]), "halfspaces": [[1, 0]]}, ValueError), ({"box": ([0, 0], [1, 1]), "halfspaces": [[0, 0, 1]]}, delone.InputError)])
+def test_what_is_refused(arguments, error):
+    with pytest.raises(error):
+        delone.Delaunay([[0, 0], [1, 0], [0, 1]]).site_cells(**arguments)
+    assert not hasattr(delone.FurthestSite([[0, 0], [1, 0], [0, 1]]), "site_cells")
+    with pytest.raises(ValueError):
+        delone.Delaunay([[0, 0], [1, 0], [0, 1]]).site_cells().neighbors_of(0)

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The pass of one site, from displacements alone, as sites of a periodic set have it.
+#include "particles/cell_measure.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace delone::particles {
+namespace {
+
+/// The cell of the integer lattice: neighbors ±e_j (slots 2j, 2j + 1), one cell in each orthant.
+struct Orthants {
+  explicit Orthants(std::size_t dimension) : d(dimension) {
+    for (std::size_t cell = 0; cell < std::size_t{1} << d; ++cell)
+      for (std::size_t j = 0; j < d; ++j)
+        corners.push_back(static_cast<std::uint32_t>(2 * j + (cell >> j & 1)));
+  }
+  /// `high`: where the upper neighbors are.
+  void measure(CellMeasure& measure, const std::vector<double>& site, double high = 1) const {
+    measure.begin(2 * d);
+    for (std::size_t j = 0; j < d; ++j)
+      for (const std::size_t side : {0, 1}) {
+        std::vector<double> to = site;
+        to[j] += side == 0 ? -1 : high;
+        measure.set_neighbor(2 * j + side, site.data(), to.data());
+      }
+    measure.measure(corners);
+  }
+  std::size_t d;
+  std::vector<std::uint32_t> corners;
+};
+
+TEST(CellMeasure, CellsOfTheIntegerLattice) {
+  for (std::size_t d = 1; d <= 7; ++d) {
+    const Orthants orthants(d);
+    CellMeasure measure(d, d, false);
+    orthants.measure(measure, std::vector<double>(d, 5.0));
+    EXPECT_NEAR(measure.volume(), 1, 1e-15);
+    for (const double area : measure.areas()) EXPECT_NEAR(area, 1, 1e-15);
+    for (const double distance : measure.distances()) EXPECT_EQ(distance, 1);
+    for (const double x : measure.offset()) EXPECT_EQ(x, 0);
+    EXPECT_EQ(measure.num_in_pairs() + measure.num_exact(), 0u);
+    orthants.measure(measure, std::vector<double>(d, 5.0), 3);  // from −1/2 to 3/2
+    EXPECT_NEAR(measure.volume(), std::pow(2.0, static_cast<double>(d)), 1e-13);
+    for (const double x : measure.offset()) EXPECT_NEAR(x, 0.5, 1e-15);
+  }
+}
+
+/// A bisector of weighted points moves by (w_0 − w)/(2·distance).
+TEST(CellMeasure, Weights) {
+  const Orthants orthants(3);
+  CellMeasure measure(3, 3, true);
+  measure.begin(6);
+  const std::array<double, 4> site{0, 0, 0, 0.5};
+  for (std::size_t j = 0; j < 3; ++j)
+    for (const std::size_t side : {0, 1}) {
+      std::array<double, 4> to{0, 0, 0, side == 0 ? 0.5 : 0.25};
+      to[j] = side == 0 ? -1 : 1;
+      measure.set_neighbor(2 * j + side, site.data(), to.data());
+    }
+  measure.measure(orthants.corners);
+  EXPECT_NEAR(measure.volume(), 1.125 * 1.125 * 1.125, 1e-15);
+  for (const double x : measure.offset()) EXPECT_NEAR(x, 0.0625, 1e-16);
+}
+
+/// A neighbor that is almost, or exactly, on a common circle has a face of almost no length.
+TEST(CellMeasure, NearTies) {
+  for (const double nearness : {1e-5, 1e-10, 1e-15, 1e-100}) {
+    const std::vector<std::array<double, 2>> to{{1, 0}, {1, 1 + nearness}, {0, 1}, {-1, 0}, {0, -1}};
+    const std::array<double, 2> site{0, 0};
+    CellMeasure measure(2, 2, false);
+    measure.begin(5);
+    for (std::size_t i = 0; i < 5; ++i) measure.set_neighbor(i, site.data(), to[i].data());
+    measure.measure(std::vector<std::uint32_t>{0, 1, 1, 2, 2, 3, 3, 4, 0, 4});
+    EXPECT_NEAR(measure.volume(), 1, nearness + 1e-15);
+    EXPECT_NEAR(measure.areas()[1], 0, 2 * nearness + 1e-15);
+  }
+}
+
+/// Lengths of very different sizes are for integers.
+TEST(CellMeasure, WideRanges) {
+  CellMeasure measure(2, 2, false);
+  const std::array<double, 2> site{0, 0};
+  const double small = 1e-200;
+  const std::vector<std::array<double, 2>> to{{small, 0}, {0, 1}, {-small, 0}, {0, -1}};
+  measure.begin(4);
+  for (std::size_t i = 0; i < 4; ++i) measure.set_neighbor(i, site.data(), to[i].data());
+  measure.measure(std::vector<std::uint32_t>{0, 1, 1, 2, 2, 3, 0, 3});
+  EXPECT_DOUBLE_EQ(measure.volume(), small);
+  EXPECT_DOUBLE_EQ(measure.areas()[0], 1);
+  EXPECT_DOUBLE_EQ(measure.areas()[1], small);
+  EXPECT_EQ(measure.num_exact(), 4u);
+}
+
+}  // namespace
+}  // namespace delone::particles
