@@ -113,6 +113,8 @@ class DELONE_EXPORT PeriodicTriangulation {
   /// The hash of the set S + L and of all cells: the same for all sets S and bases of L that stand for it.
   /// O(n·d·r + m·k·d).
   CanonicalHash hash(const Execution& how = {}) const;
+  /// A plain copy, of kind periodic_delaunay or periodic_regular.
+  ComplexData to_data() const;
   /// What the triangulation has cost.
   Statistics statistics() const;
   /// How many images were inserted.

@@ -12,7 +12,8 @@ contains all points, and m the number of cells. Rows and cells are numbered from
 import importlib as _importlib
 
 from ._core import (AlphaComplex, CancelledError, ConvexHull, Delaunay, Error, Faces, Forecast, FurthestSite, FurthestVoronoi, HalfspaceIntersection, InputError,
-                    LinearInterpolator, LowerHull, NaturalNeighborInterpolator, OutOfMemoryError, PowerDiagram, Regular, TimeLimitError,
+                    LinearInterpolator, LowerHull, NaturalNeighborInterpolator, OutOfMemoryError, PeriodicDelaunay, PeriodicRegular,
+                    PeriodicTriangulation, PowerDiagram, Regular, TimeLimitError,
                     TrimResult, Voronoi, __version__, estimate, forecast, natural_neighbors)
 from ._changes import Changes
 from ._clipped_regions import ClippedRegions
@@ -26,7 +27,8 @@ from ._patch import patch_scipy, scipy_is_patched, unpatch_scipy
 
 __all__ = ["AlphaComplex", "CancelledError", "Changes", "CheckReport", "ClippedRegions", "ComplexData", "ConvexHull", "ConvexHulls", "Data", "Delaunay", "Error", "Faces",
            "Forecast", "FurthestSite", "FurthestVoronoi", "HalfspaceIntersection", "HullData", "InputError", "IntersectionData", "LinearInterpolator", "Locations",
-           "LowerHull", "NaturalNeighborInterpolator", "OutOfMemoryError", "PowerDiagram", "Regular", "TimeLimitError", "TrimResult", "Voronoi",
+           "LowerHull", "NaturalNeighborInterpolator", "OutOfMemoryError", "PeriodicDelaunay", "PeriodicRegular", "PeriodicTriangulation",
+           "PowerDiagram", "Regular", "TimeLimitError", "TrimResult", "Voronoi",
            "VoronoiData", "__version__", "check", "convex_hulls", "estimate", "forecast", "generate", "lower_hull", "natural_neighbors",
            "patch_scipy", "read", "scipy_is_patched", "unpatch_scipy", "write_points"]
 

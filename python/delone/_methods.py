@@ -11,6 +11,7 @@ OF = {
     _core.Triangulation: {"plot": _plot.triangulation, "_repr_html_": _html.triangulation, "to_frame": _frames.triangulation,
                           "to_html": _viewer.triangulation, "save": _files.save, "to_data": _files.to_data,
                           **_export.methods(_export.triangulation)},
+    _core.PeriodicTriangulation: {"save": _files.save, "to_data": _files.to_data},
     _core.ConvexHull: {"plot": _plot.convex_hull, "_repr_html_": _html.convex_hull, "to_frame": _frames.convex_hull,
                        "to_html": _viewer.convex_hull, "save": _files.save, "to_data": _files.to_data, **_export.methods(_export.convex_hull)},
     _core.LowerHull: {"plot": _plot.lower_hull, "_repr_html_": _html.lower_hull, "to_frame": _frames.lower_hull, "save": _files.save,

@@ -293,7 +293,8 @@ void GhostTriangulation::ask() {
     Asking<d()> asking(*this);
     // Few new vertices: their stars. Otherwise all cells are looked through.
     constexpr std::size_t cells_per_star = 256;
-    const std::size_t end = image_of_vertex_.size(), num_new = end - std::min<std::size_t>(first_new_vertex_, end);
+    const std::size_t end = image_of_vertex_.size(),
+                      num_new = end - std::min<std::size_t>(first_new_vertex_, end);
     if (first_new_vertex_ > 1 && num_new < complex.num_all_cells() / cells_per_star)
       asking.ask_stars(first_new_vertex_, end);
     else

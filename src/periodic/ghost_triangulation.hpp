@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The triangulation of the points of a periodic set, in the box of its lattice, and of as many images of them,
-// ghosts, as it takes: until no cell with a vertex of the set is in conflict with any image. Then these cells
-// are all cells of the periodic triangulation at the points of the set.
+// The triangulation of the points of a periodic set, in the box of its lattice, and of as many images of
+// them, ghosts, as it takes: until no cell with a vertex of the set is in conflict with any image. Then these
+// cells are all cells of the periodic triangulation at the points of the set.
 //
 // Why. A cell that no point of the whole set is in conflict with, ties perturbed by coordinates alone, is a
 // cell of the whole; translations change no answer, as they are exact. The star of a vertex, closed by cells
@@ -71,11 +71,11 @@ class GhostTriangulation {
   Images images_;
   std::optional<Delaunay<>> delaunay_;
   std::optional<Regular<>> regular_;
-  std::vector<Image> ghosts_;            // of the rows from n on
-  std::vector<Image> image_of_vertex_;   // by vertex id
-  std::size_t num_rows_done_ = 0;        // rows whose vertices are entered
-  Index first_new_vertex_ = 1;           // of the last insertion
-  std::vector<Found> found_;             // to be inserted next
+  std::vector<Image> ghosts_;           // of the rows from n on
+  std::vector<Image> image_of_vertex_;  // by vertex id
+  std::size_t num_rows_done_ = 0;       // rows whose vertices are entered
+  Index first_new_vertex_ = 1;          // of the last insertion
+  std::vector<Found> found_;            // to be inserted next
   GhostEffort effort_;
 };
 

@@ -6,8 +6,8 @@
 // is within √(R² − h²) of c along the lattice, h the distance of c from the planes. With c − p = λ(a + b), a
 // along the lattice and b in the free directions, p between the planes and t from the one that c is beyond,
 // that is λ²|a|² + Σ t(2λ|b_i| − t), where a free direction with λ|b_i| ≤ t adds λ²b_i² instead. So a huge
-// ball that only just reaches the set is no reason to look far. Fractions of what it has are within that times
-// |g_i| of those of c. All of this is rounded, and widened by much more than its errors.
+// ball that only just reaches the set is no reason to look far. Fractions of what it has are within that
+// times |g_i| of those of c. All of this is rounded, and widened by much more than its errors.
 #pragma once
 
 #include "periodic/images.hpp"
@@ -95,7 +95,8 @@ class ImageSearch {
       double coordinate = 0;
       for (std::size_t i = 0; i < set_.rank; ++i) {
         coordinate += step_[i] * period.vector(i)[j];
-        along_slack += 0x1p-44 * std::abs(step_[i] * period.vector(i)[j]) + slack_[i] * std::abs(period.vector(i)[j]);
+        along_slack +=
+            0x1p-44 * std::abs(step_[i] * period.vector(i)[j]) + slack_[i] * std::abs(period.vector(i)[j]);
       }
       lateral += coordinate * coordinate;
     }

@@ -127,8 +127,7 @@ std::uint32_t Images::shift_number(std::span<const std::int32_t> k) {
     const auto reach = static_cast<std::uint64_t>(set_.period.reach(i));
     code = code * (2 * reach + 1) + static_cast<std::uint64_t>(k[i] + set_.period.reach(i));
   }
-  const auto [place, is_new] =
-      number_of_code_.try_emplace(code, static_cast<std::uint32_t>(shifts_.size()));
+  const auto [place, is_new] = number_of_code_.try_emplace(code, static_cast<std::uint32_t>(shifts_.size()));
   if (is_new) {
     try {
       auto shift = std::make_unique<Shift>(Shift{{k.begin(), k.end()},
@@ -195,15 +194,15 @@ void Images::take_layer_of(std::size_t number, double width, std::vector<Image>&
   const std::size_t d = set_.dimension, r = set_.rank, size = page.size();
   double side = 0;
   for (std::size_t j = 0; j < d; ++j) side += table_.high(number)[j] - table_.low(number)[j];
-  const double spacing = side / static_cast<double>(d) /
-                         std::pow(static_cast<double>(size), 1 / static_cast<double>(d));
+  const double spacing =
+      side / static_cast<double>(d) / std::pow(static_cast<double>(size), 1 / static_cast<double>(d));
   std::vector<double> fractions(size * r), widths(r);
   bool is_near = false;
   for (std::size_t i = 0; i < r; ++i) {
     double low = 1, high = 0;
     for (std::size_t slot = 0; slot < size; ++slot) {
-      double& fraction = fractions[slot * r + i] = set_.period.fraction(
-          i, set_.row(static_cast<std::size_t>(page.rows[slot])));
+      double& fraction = fractions[slot * r + i] =
+          set_.period.fraction(i, set_.row(static_cast<std::size_t>(page.rows[slot])));
       low = std::min(low, fraction);
       high = std::max(high, fraction);
     }

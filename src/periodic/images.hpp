@@ -18,7 +18,7 @@ namespace delone::periodic {
 
 /// Goes to the next of all vectors low_i ≤ k_i ≤ high_i; false after the last one, which leaves the first.
 inline bool next_in_range(std::span<std::int32_t> k, std::span<const std::int32_t> low,
-                   std::span<const std::int32_t> high) {
+                          std::span<const std::int32_t> high) {
   for (std::size_t i = 0; i < k.size(); ++i) {
     if (k[i]++ < high[i]) return true;
     k[i] = low[i];

@@ -115,9 +115,11 @@ CanonicalHash hash_of(const GhostTriangulation& ghosts, const PeriodicSet& set) 
     if (ghosts.is_own(v)) own.push_back(v);
   int grid = std::numeric_limits<int>::max();
   for (std::size_t i = 0; i < set.rank; ++i)
-    for (std::size_t j = 0; j < d; ++j) grid = std::min(grid, kernel::trailing_exponent(set.period.vector(i)[j]));
+    for (std::size_t j = 0; j < d; ++j)
+      grid = std::min(grid, kernel::trailing_exponent(set.period.vector(i)[j]));
   for (const VertexId v : own)
-    for (std::size_t j = 0; j < d; ++j) grid = std::min(grid, kernel::trailing_exponent(points.point(index(v))[j]));
+    for (std::size_t j = 0; j < d; ++j)
+      grid = std::min(grid, kernel::trailing_exponent(points.point(index(v))[j]));
   if (grid == std::numeric_limits<int>::max()) grid = 0;
 
   std::vector<Integer> rows;
@@ -156,7 +158,8 @@ CanonicalHash hash_of(const GhostTriangulation& ghosts, const PeriodicSet& set) 
     PointTag sum = tags[index(smallest)];
     for (const VertexId v : complex.vertices(canonical.cells[number])) {
       const double* const to = points.point(index(v));
-      Tagger tagger;  // coordinates are below 2^53 units of the grid of the set, and that of the hash is no finer
+      Tagger tagger;  // coordinates are below 2^53 units of the grid of the set, and that of the hash is no
+                      // finer
       for (std::size_t j = 0; j < d; ++j)
         tagger.add(static_cast<std::uint64_t>(static_cast<std::int64_t>(std::ldexp(to[j], -grid)) -
                                               static_cast<std::int64_t>(std::ldexp(from[j], -grid))));

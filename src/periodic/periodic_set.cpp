@@ -47,7 +47,12 @@ class SetMaker {
     IntegerRows rows = integers_of(given);
     require_independent(rows.entries);
     sums_ = reduce_lattice(rows.entries, r_);
-    choose_grid(Period(nearest_doubles(rows.entries, rows.grid), r_, d_));
+    // Of a size near 1, so that squares are in range.
+    double size = 0;
+    for (const double x : r_ > 0 ? std::span<const double>(given) : input_.points)
+      size = std::max(size, std::abs(x));
+    const int exponent = size > 0 ? std::ilogb(size) : 0;
+    choose_grid(Period(nearest_doubles(rows.entries, rows.grid - exponent), r_, d_), exponent);
     snap_lattice(given);
     wrap_points();
     set_.grid = grid_;
@@ -98,8 +103,8 @@ class SetMaker {
 
   void note_displacement(double moved) { set_.displacement = std::max(set_.displacement, moved); }
 
-  /// From the lattice, nearly: what coordinates of images are below, and the exponent of u.
-  void choose_grid(const Period& period) {
+  /// From the lattice in units of 2^exponent, nearly: what coordinates of images are below, and the grid.
+  void choose_grid(const Period& period, int exponent) {
     double codes = 1;
     for (std::size_t i = 0; i < r_; ++i) codes *= 2.0 * period.reach(i) + 1;
     if (codes > 0x1p62)
@@ -111,7 +116,8 @@ class SetMaker {
     if (r_ < d_) {  // the parts of points that are orthogonal to the lattice
       std::vector<double> free(d_, 0.0), x(d_);
       for (std::size_t at = 0; at < input_.points.size(); at += d_) {
-        for (std::size_t j = 0; j < d_; ++j) x[j] = number_of(input_.points[at + j], "a coordinate");
+        for (std::size_t j = 0; j < d_; ++j)
+          x[j] = std::ldexp(number_of(input_.points[at + j], "a coordinate"), -exponent);
         for (std::size_t j = 0; j < d_; ++j) {
           double part = x[j];
           for (std::size_t i = 0; i < r_; ++i) part -= period.fraction(i, x.data()) * period.vector(i)[j];
@@ -120,17 +126,18 @@ class SetMaker {
       }
       for (std::size_t j = 0; j < d_; ++j) set_.largest[j] += free[j] * (1 + 0x1p-20);
     }
-    const double bound = std::max(*std::max_element(set_.largest.begin(), set_.largest.end()),
-                                  std::numeric_limits<double>::min());
-    if (!std::isfinite(bound)) refuse("the box is too large: images of its points are not finite");
+    const double bound = *std::max_element(set_.largest.begin(), set_.largest.end());
     int e = 0;
     std::frexp(bound * (1 + 0x1p-20), &e);
+    e += exponent;
+    if (!std::isfinite(bound) || e > std::numeric_limits<double>::max_exponent)
+      refuse("the box is too large: images of its points are not finite");
     if (input_.unit > 0 && e > 53) refuse("the unit is too small: the box has more than 2^53 units");
     grid_ = input_.unit > 0 ? 0 : e - 53;
     // Products of many coordinates stay far from the ends of the range.
     constexpr int moderate = 100;
     if (input_.unit == 0 && std::abs(e) > moderate) set_.scale = e;
-    for (double& x : set_.largest) x = std::ldexp(x, -set_.scale);
+    for (double& x : set_.largest) x = std::ldexp(x, exponent - set_.scale);
   }
 
   /// The nearest multiple of u, in the numbers of the set.
@@ -150,7 +157,8 @@ class SetMaker {
       for (std::size_t l = 0; l < r_; ++l) {
         const Integer& factor = sums_[i * r_ + l];
         if (factor > most_of_sums || factor < -most_of_sums)
-          throw Error(Errc::unsupported, "the lattice vectors are too skewed: beyond 2^29 of the shortest ones");
+          throw Error(Errc::unsupported,
+                      "the lattice vectors are too skewed: beyond 2^29 of the shortest ones");
         set_.sums.push_back(static_cast<std::int64_t>(factor));
         for (std::size_t j = 0; j < d_; ++j) reduced[i * d_ + j] += factor * rows.entries[l * d_ + j];
       }
@@ -158,7 +166,8 @@ class SetMaker {
       refuse("the lattice is singular on the grid of its coordinates");
     set_.period = Period(nearest_doubles(reduced, rows.grid), r_, d_);
     if (input_.is_exact && set_.displacement > 0)
-      refuse("the lattice is not on the grid of 2^" + std::to_string(grid_) + ", and exact input was required");
+      refuse("the lattice is not on the grid of 2^" + std::to_string(grid_) +
+             ", and exact input was required");
   }
 
   void wrap_points() {
@@ -171,7 +180,8 @@ class SetMaker {
     for (std::size_t row = 0; row < n; ++row) {
       round();
       const double before = std::exchange(set_.displacement, 0.0);
-      for (std::size_t j = 0; j < d_; ++j) x[j] = snapped(number_of(input_.points[row * d_ + j], "a coordinate"));
+      for (std::size_t j = 0; j < d_; ++j)
+        x[j] = snapped(number_of(input_.points[row * d_ + j], "a coordinate"));
       if (set_.displacement > 0) displaced.push_back(row);
       set_.displacement = std::max(set_.displacement, before);
       std::int32_t* const wraps = set_.wraps.data() + row * r_;
@@ -192,8 +202,7 @@ class SetMaker {
 
   double weight(std::size_t row) const {
     const double w = input_.weights[row];
-    const double scaled =
-        input_.unit > 0 ? w / input_.unit / input_.unit : std::ldexp(w, -2 * set_.scale);
+    const double scaled = input_.unit > 0 ? w / input_.unit / input_.unit : std::ldexp(w, -2 * set_.scale);
     if (!std::isfinite(scaled))
       refuse("the weight of point " + std::to_string(row) + " is too large for the box", {row});
     return scaled + 0.0;

@@ -35,13 +35,13 @@ struct SetInput {
 struct PeriodicSet {
   std::size_t dimension = 0, rank = 0;
   bool weighted = false;
-  Period period;                     ///< the reduced lattice
-  std::vector<double> lattice;       ///< r×d, the vectors of the caller on the grid
-  std::vector<std::int64_t> sums;    ///< r×r: how reduced vectors are sums of those
-  std::vector<double> rows;          ///< n times d coordinates and, if there are weights, one
-  std::vector<std::int32_t> wraps;   ///< n×r: the caller's point is the row plus Σ wraps_i a_i
-  std::vector<double> largest;       ///< d, bounds of |coordinates| of all images that are looked at
-  double displacement = 0;           ///< the most that a coordinate has moved, in numbers of the caller
+  Period period;                    ///< the reduced lattice
+  std::vector<double> lattice;      ///< r×d, the vectors of the caller on the grid
+  std::vector<std::int64_t> sums;   ///< r×r: how reduced vectors are sums of those
+  std::vector<double> rows;         ///< n times d coordinates and, if there are weights, one
+  std::vector<std::int32_t> wraps;  ///< n×r: the caller's point is the row plus Σ wraps_i a_i
+  std::vector<double> largest;      ///< d, bounds of |coordinates| of all images that are looked at
+  double displacement = 0;          ///< the most that a coordinate has moved, in numbers of the caller
   int scale = 0;
   int grid = 0;  ///< given numbers, or numbers of units, are rounded to multiples of 2^grid
   double unit = 0;

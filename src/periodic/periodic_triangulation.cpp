@@ -38,8 +38,7 @@ Lattice Lattice::box(std::span<const double> lengths, std::span<const int> axes)
 
 const periodic::Quotient& PeriodicTriangulation::Impl::quotient() const {
   const std::lock_guard lock(mutex_);
-  if (!quotient_)
-    quotient_ = internal::guarded("the cells", [&] { return make_quotient(ghosts, set); });
+  if (!quotient_) quotient_ = internal::guarded("the cells", [&] { return make_quotient(ghosts, set); });
   return *quotient_;
 }
 
@@ -111,7 +110,9 @@ void PeriodicTriangulation::Impl::describe_points(std::span<const double> given,
 }
 
 int PeriodicTriangulation::dimension() const { return impl_->lattice.dimension; }
-int PeriodicTriangulation::affine_dimension() const { return impl_->ghosts.triangulation().affine_dimension(); }
+int PeriodicTriangulation::affine_dimension() const {
+  return impl_->ghosts.triangulation().affine_dimension();
+}
 int PeriodicTriangulation::rank() const { return impl_->lattice.rank(); }
 bool PeriodicTriangulation::is_regular() const { return impl_->set.weighted; }
 std::size_t PeriodicTriangulation::num_points() const { return impl_->set.num_points(); }
@@ -141,6 +142,27 @@ std::span<const std::int32_t> PeriodicTriangulation::point_offsets() const { ret
 bool PeriodicTriangulation::is_simplicial() const { return impl_->is_simplicial(); }
 std::size_t PeriodicTriangulation::num_ghosts() const { return impl_->ghosts.effort().num_ghosts; }
 Statistics PeriodicTriangulation::statistics() const { return impl_->ghosts.triangulation().statistics(); }
+
+ComplexData PeriodicTriangulation::to_data() const {
+  return internal::guarded("a copy", [&] {
+    const periodic::Quotient& made = impl_->quotient();
+    ComplexData data;
+    data.dimension = dimension();
+    data.affine_dimension = affine_dimension();
+    data.kind = is_regular() ? DataKind::periodic_regular : DataKind::periodic_delaunay;
+    data.points = impl_->points;
+    data.weights = impl_->weights;
+    data.cells = made.cells;
+    data.neighbors = made.neighbors;
+    data.vertex_of_point = impl_->vertex_of_point;
+    data.lattice = impl_->lattice.vectors;
+    data.cell_offsets = made.cell_offsets;
+    data.neighbor_offsets = made.neighbor_offsets;
+    data.point_offsets = impl_->point_offsets;
+    data.unit = impl_->set.unit;
+    return data;
+  });
+}
 
 CanonicalHash PeriodicTriangulation::hash(const Execution& how) const {
   return internal::guarded("the hash", [&] {

@@ -2,12 +2,12 @@
 // A ball around the circumsphere of a triangle in the plane or a tetrahedron in space, in some ten
 // nanoseconds: for cells that are not flat, to see that they are far from everything unknown.
 //
-// Bounds, u = 2⁻⁵³. Let a, b, c be the edges from the first vertex, P = |a||b||c| and S = |a| + |b| + |c|. The
-// determinant, Σ of six products of three entries that are each off by u, is off by less than 2⁶uP, and each
-// coordinate of the numerator |a|²(b×c) + |b|²(c×a) + |c|²(a×b) by less than 2⁶uPS. Where the determinant
-// exceeds 2⁻¹⁶P, the center is off by less than 2⁻³⁰(S + |x|) in each coordinate, x the center from the first
-// vertex, and S ≤ 6|x| as no edge is longer than the diameter. So the ball with 1 + 2⁻²⁰ times the radius
-// contains the sphere. In the plane there are fewer roundings, and the same bounds hold.
+// Bounds, u = 2⁻⁵³. Let a, b, c be the edges from the first vertex, P = |a||b||c| and S = |a| + |b| + |c|.
+// The determinant, Σ of six products of three entries that are each off by u, is off by less than 2⁶uP, and
+// each coordinate of the numerator |a|²(b×c) + |b|²(c×a) + |c|²(a×b) by less than 2⁶uPS. Where the
+// determinant exceeds 2⁻¹⁶P, the center is off by less than 2⁻³⁰(S + |x|) in each coordinate, x the center
+// from the first vertex, and S ≤ 6|x| as no edge is longer than the diameter. So the ball with 1 + 2⁻²⁰ times
+// the radius contains the sphere. In the plane there are fewer roundings, and the same bounds hold.
 #pragma once
 
 #include <cmath>

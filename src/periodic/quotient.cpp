@@ -36,6 +36,7 @@ class QuotientMaker {
     made_.cell_offsets.resize(entries * r_);
     made_.neighbor_offsets.resize(entries * r_);
     internal::QuickRounds round;
+    const bool has_wraps = std::ranges::any_of(set_.wraps, [](std::int32_t k) { return k != 0; });
     Offset offset(r_);
     for (std::size_t number = 0; number < canonical_.cells.size(); ++number) {
       round();
@@ -46,24 +47,40 @@ class QuotientMaker {
         const Image& image = ghosts_.image_of(v);
         const std::size_t entry = made_.cells.size();
         made_.cells.push_back(static_cast<SignedIndex>(image.row));
+        if (const SignedIndex inner = has_wraps ? -1 : find_inner_neighbor(cell, i); inner >= 0) {
+          made_.neighbors.push_back(inner);
+          if (image.shift == 0) continue;
+        } else {
+          add_neighbor(cell, i, smallest);
+        }
         for (std::size_t l = 0; l < r_; ++l)
           offset[l] = std::int64_t{ghosts_.offset_of(v)[l]} - wrap(image.row, l) + wrap(smallest, l);
         set_.to_given_basis(offset, made_.cell_offsets.data() + entry * r_);
-
-        const Translate neighbor = find_neighbor(cell, static_cast<int>(i));
-        made_.neighbors.push_back(neighbor.number);
-        if (neighbor.number < 0) continue;
-        const std::uint32_t of_neighbor =
-            ghosts_.image_of(canonical_.smallest[static_cast<std::size_t>(neighbor.number)]).row;
-        for (std::size_t l = 0; l < r_; ++l)
-          offset[l] = neighbor.offset[l] + wrap(smallest, l) - wrap(of_neighbor, l);
-        set_.to_given_basis(offset, made_.neighbor_offsets.data() + entry * r_);
       }
     }
     return std::move(made_);
   }
 
  private:
+  /// The neighbor across a facet with a vertex in the box, if it is canonical: then its offset is 0 as long
+  /// as no point was wrapped. −1 otherwise.
+  SignedIndex find_inner_neighbor(CellId cell, std::size_t i) const {
+    const VerticesOfCell vertices = complex_.vertices(cell);
+    for (std::size_t l = 0; l < corners_; ++l)
+      if (l != i && ghosts_.is_own(vertices[l]))
+        return canonical_.number_of_slot[index(complex_.neighbor(cell, static_cast<int>(i)))];
+    return -1;
+  }
+  void add_neighbor(CellId cell, std::size_t i, std::uint32_t smallest) {
+    Translate neighbor = find_neighbor(cell, static_cast<int>(i));
+    const std::size_t entry = made_.neighbors.size();
+    made_.neighbors.push_back(neighbor.number);
+    if (neighbor.number < 0) return;
+    const std::uint32_t of_neighbor =
+        ghosts_.image_of(canonical_.smallest[static_cast<std::size_t>(neighbor.number)]).row;
+    for (std::size_t l = 0; l < r_; ++l) neighbor.offset[l] += wrap(smallest, l) - wrap(of_neighbor, l);
+    set_.to_given_basis(neighbor.offset, made_.neighbor_offsets.data() + entry * r_);
+  }
   std::int64_t wrap(std::uint32_t row, std::size_t l) const { return set_.wraps[row * r_ + l]; }
 
   /// The numbers of cells by the rows of their smallest vertices.
