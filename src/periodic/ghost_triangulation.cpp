@@ -101,8 +101,8 @@ class GhostTriangulation::Asking {
     for (const VertexId v : vertices) {
       if (v == infinite_vertex)
         is_infinite = true;
-      else if (own == infinite_vertex && ghosts_.image_of(v).shift == 0)
-        own = v;
+      else if (ghosts_.image_of(v).shift == 0 && (own == infinite_vertex || v < own))
+        own = v;  // the first one by id, as the order of vertices in a cell may depend on threads
     }
     if (own == infinite_vertex) return;
     const double* const p = points_.point(index(own));
@@ -236,6 +236,11 @@ GhostTriangulation::GhostTriangulation(const PeriodicSet& set, const Options& op
     effort_.later_seconds += insertion.seconds();
   }
   effort_.num_ghosts = ghosts_.size();
+  // Arrays do not depend on threads.
+  if (delaunay_)
+    delaunay_->sort_cells();
+  else
+    regular_->sort_cells();
 }
 
 /// The points of the set, the frame and the layer.

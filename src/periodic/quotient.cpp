@@ -25,6 +25,7 @@ class QuotientMaker {
         set_(set),
         complex_(ghosts.triangulation().complex()),
         canonical_(find_canonical_cells(ghosts)),
+        has_wraps_(std::ranges::any_of(set.wraps, [](std::int32_t k) { return k != 0; })),
         r_(set.rank),
         corners_(static_cast<std::size_t>(complex_.affine_dimension() + 1)) {}
 
@@ -36,34 +37,47 @@ class QuotientMaker {
     made_.cell_offsets.resize(entries * r_);
     made_.neighbor_offsets.resize(entries * r_);
     internal::QuickRounds round;
-    const bool has_wraps = std::ranges::any_of(set_.wraps, [](std::int32_t k) { return k != 0; });
     Offset offset(r_);
     for (std::size_t number = 0; number < canonical_.cells.size(); ++number) {
       round();
       const CellId cell = canonical_.cells[number];
-      const std::uint32_t smallest = ghosts_.image_of(canonical_.smallest[number]).row;
+      const std::uint32_t smallest = row_of_smallest(number);
       for (std::size_t i = 0; i < corners_; ++i) {
         const VertexId v = complex_.vertex(cell, static_cast<int>(i));
         const Image& image = ghosts_.image_of(v);
-        const std::size_t entry = made_.cells.size();
-        made_.cells.push_back(static_cast<SignedIndex>(image.row));
-        if (const SignedIndex inner = has_wraps ? -1 : find_inner_neighbor(cell, i); inner >= 0) {
-          made_.neighbors.push_back(inner);
-          if (image.shift == 0) continue;
-        } else {
-          add_neighbor(cell, i, smallest);
+        if (image.shift != 0 || !is_wrapped_alike(image.row, smallest)) {
+          for (std::size_t l = 0; l < r_; ++l)
+            offset[l] = std::int64_t{ghosts_.offset_of(v)[l]} - wrap(image.row, l) + wrap(smallest, l);
+          set_.to_given_basis(offset, made_.cell_offsets.data() + made_.cells.size() * r_);
         }
-        for (std::size_t l = 0; l < r_; ++l)
-          offset[l] = std::int64_t{ghosts_.offset_of(v)[l]} - wrap(image.row, l) + wrap(smallest, l);
-        set_.to_given_basis(offset, made_.cell_offsets.data() + entry * r_);
+        made_.cells.push_back(static_cast<SignedIndex>(image.row));
+        add_neighbor(cell, i, smallest);
       }
     }
     return std::move(made_);
   }
 
  private:
-  /// The neighbor across a facet with a vertex in the box, if it is canonical: then its offset is 0 as long
-  /// as no point was wrapped. −1 otherwise.
+  std::uint32_t row_of_smallest(std::size_t number) const {
+    return ghosts_.image_of(canonical_.smallest[number]).row;
+  }
+
+  void add_neighbor(CellId cell, std::size_t i, std::uint32_t smallest) {
+    std::int32_t* const to = made_.neighbor_offsets.data() + made_.neighbors.size() * r_;
+    const SignedIndex inner = find_inner_neighbor(cell, i);
+    Translate neighbor;
+    if (inner < 0) neighbor = find_neighbor(cell, static_cast<int>(i));
+    const SignedIndex number = inner < 0 ? neighbor.number : inner;
+    made_.neighbors.push_back(number);
+    if (number < 0) return;
+    const std::uint32_t of_neighbor = row_of_smallest(static_cast<std::size_t>(number));
+    if (inner >= 0 && is_wrapped_alike(of_neighbor, smallest)) return;
+    neighbor.offset.resize(r_);
+    for (std::size_t l = 0; l < r_; ++l) neighbor.offset[l] += wrap(smallest, l) - wrap(of_neighbor, l);
+    set_.to_given_basis(neighbor.offset, to);
+  }
+  /// The neighbor across a facet with a vertex in the box, if it is canonical: then it is next to the cell as
+  /// it is. −1 otherwise.
   SignedIndex find_inner_neighbor(CellId cell, std::size_t i) const {
     const VerticesOfCell vertices = complex_.vertices(cell);
     for (std::size_t l = 0; l < corners_; ++l)
@@ -71,15 +85,12 @@ class QuotientMaker {
         return canonical_.number_of_slot[index(complex_.neighbor(cell, static_cast<int>(i)))];
     return -1;
   }
-  void add_neighbor(CellId cell, std::size_t i, std::uint32_t smallest) {
-    Translate neighbor = find_neighbor(cell, static_cast<int>(i));
-    const std::size_t entry = made_.neighbors.size();
-    made_.neighbors.push_back(neighbor.number);
-    if (neighbor.number < 0) return;
-    const std::uint32_t of_neighbor =
-        ghosts_.image_of(canonical_.smallest[static_cast<std::size_t>(neighbor.number)]).row;
-    for (std::size_t l = 0; l < r_; ++l) neighbor.offset[l] += wrap(smallest, l) - wrap(of_neighbor, l);
-    set_.to_given_basis(neighbor.offset, made_.neighbor_offsets.data() + entry * r_);
+  bool is_wrapped_alike(std::uint32_t a, std::uint32_t b) const {
+    if (!has_wraps_ || a == b) return true;
+    const auto first = [&](std::uint32_t row) {
+      return set_.wraps.begin() + static_cast<std::ptrdiff_t>(row * r_);
+    };
+    return std::equal(first(a), first(a) + static_cast<std::ptrdiff_t>(r_), first(b));
   }
   std::int64_t wrap(std::uint32_t row, std::size_t l) const { return set_.wraps[row * r_ + l]; }
 
@@ -173,6 +184,7 @@ class QuotientMaker {
   const PeriodicSet& set_;
   const Complex complex_;
   const CanonicalCells canonical_;
+  const bool has_wraps_;
   const std::size_t r_, corners_;
   std::vector<std::size_t> first_of_row_, by_row_;
   Quotient made_;
