@@ -3,6 +3,7 @@
 #include "interrupt.hpp"
 #include "make_tiles.hpp"
 #include "memory_limit.hpp"
+#include "periodic.hpp"
 #include "report.hpp"
 
 #include <fmt/format.h>
@@ -22,6 +23,7 @@ struct DelaunayOptions {
   bool runtime_dimension = false, furthest_site = false;
   std::optional<double> trim;  // the tolerance
   TilesInput tiles;
+  PeriodicInput periodic;
 };
 
 Summary summary(const Triangulation& t, const Counts& counts, const Cost& cost,
@@ -115,6 +117,8 @@ int run_delaunay(const DelaunayOptions& options) {
   PointTable table = options.input.read(to.threads);
   cost.read = seconds_since(start);
   limit.set_points(table);
+  if (options.periodic.is_wanted())
+    return run_periodic("delaunay", options.input, table, nullptr, options.periodic, to, start, cost);
   if (!to.qhull.empty())
     check_qhull_output(to.output, Delaunay<>(table.dimension), to.qhull);
   else if (!to.output.empty())
@@ -142,8 +146,12 @@ Run add_delaunay(CLI::App& app) {
                "Use the engine for any dimension instead of a compiled one");
   options->build.add_construction(app, "the triangulation", TilesInput::beyond_memory);
   options->tiles.add_to(app);
+  options->periodic.add_to(app);
+  for (const char* other :
+       {"--trim", "--qhull", "--furthest-site", "--runtime-dimension", "--tiles", "--raw"})
+    app.get_option("--lattice")->excludes(other);
   return [options, &app] {
-    if (options->tiles.wanted(app, options->build.output))
+    if (!options->periodic.is_wanted() && options->tiles.wanted(app, options->build.output))
       return run_tiles({"delaunay", options->input, {}, options->build, options->tiles});
     return run_delaunay(*options);
   };

@@ -83,6 +83,8 @@ std::string describe(const ComplexData& data) {
     if (hidden > 0) description.line("hidden points", hidden);
   }
   if (data.tolerance > 0) description.line("tolerance", data.tolerance);
+  if (data.is_periodic())
+    return description.range("weights", data.weights).line("lattice vectors", data.rank()).text();
   return description.range("weights", data.weights).line("hash", canonical_hash(data).hex()).text();
 }
 

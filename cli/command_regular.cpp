@@ -3,6 +3,7 @@
 #include "interrupt.hpp"
 #include "make_tiles.hpp"
 #include "memory_limit.hpp"
+#include "periodic.hpp"
 #include "report.hpp"
 #include "weighted_input.hpp"
 
@@ -17,6 +18,7 @@ struct RegularOptions {
   WeightedInput weighted;
   BuildOptions build;
   TilesInput tiles;
+  PeriodicInput periodic;
 };
 
 Summary summary(const Regular<>& t, const Counts& counts, const Cost& cost, const RegularOptions& options) {
@@ -37,6 +39,9 @@ int run_regular(const RegularOptions& options) {
   const PointTable table = options.weighted.read(weights, build.threads);
   cost.read = seconds_since(start);
   limit.set_points(table);
+  if (options.periodic.is_wanted())
+    return run_periodic("regular", options.weighted.input, table, &weights, options.periodic, build, start,
+                        cost);
   const bool writes = !build.output.empty();
   if (writes) check_complex_output(build.output, build.output_format, table.dimension);
 
@@ -75,8 +80,10 @@ Run add_regular(CLI::App& app) {
   add_threads(app, options->build.threads);
   options->build.add_construction(app, "the triangulation", TilesInput::beyond_memory);
   options->tiles.add_to(app);
+  options->periodic.add_to(app);
+  for (const char* other : {"--tiles", "--raw"}) app.get_option("--lattice")->excludes(other);
   return [options, &app] {
-    if (options->tiles.wanted(app, options->build.output))
+    if (!options->periodic.is_wanted() && options->tiles.wanted(app, options->build.output))
       return run_tiles(
           {"regular", options->weighted.input, options->weighted.column(), options->build, options->tiles});
     return run_regular(*options);

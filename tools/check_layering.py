@@ -54,7 +54,7 @@ RULES = {
     "src/voronoi": (PUBLIC, {"src/triangulation", "src/solve", "src/kernel", "src/base"}),
     "src/faces": (PUBLIC, {"src/triangulation", "src/solve", "src/kernel", "src/base"}),
     "src/particles": (PUBLIC, {"src/triangulation", "src/voronoi", "src/sites", "src/solve", "src/kernel", "src/base"}),
-    "src/check": (PUBLIC, {"src/hull", "src/hull/tolerance", "src/halfspaces", "src/compiled", "src/complex", "src/kernel", "src/base"}),
+    "src/check": (PUBLIC, {"src/periodic", "src/hull", "src/hull/tolerance", "src/halfspaces", "src/compiled", "src/complex", "src/kernel", "src/base"}),
     "src/point_sets": (BASICS | {"point_sets", "progress"}, {"src/base"}),
     "src/io": (PUBLIC, {"src/messages", "src/base"}),
     "src/io/points": (PUBLIC, {"src/io", "src/messages", "src/base"}),
@@ -64,6 +64,7 @@ RULES = {
     "src/tiles": (PUBLIC, {"src/triangulation", "src/solve", "src/complex", "src/io", "src/io/points", "src/io/complexes", "src/order",
                            "src/kernel", "src/forecast/model", "src/messages", "src/base"}),
     "src/tiles/check": (PUBLIC, {"src/tiles", "src/check", "src/complex", "src/io", "src/kernel", "src/base"}),
+    "src/periodic": (PUBLIC, {"src/tiles", "src/triangulation", "src/solve", "src/complex", "src/kernel", "src/base"}),
     # The public header for MPI includes that of MPI.
     "include/delone/mpi": (PUBLIC, set()),
     "mpi": (PUBLIC, {"src/*", "cli"}),

@@ -327,7 +327,8 @@ struct DELONE_EXPORT CanonicalHash {
 DELONE_EXPORT std::ostream& operator<<(std::ostream& out, const CanonicalHash& hash);
 
 /// The canonical hash of a plain triangulation. O(n·d + m·k). Throws Errc::invalid_argument if the arrays
-/// disagree or a cell has a row that is not one of the points, and cancelled.
+/// disagree or a cell has a row that is not one of the points; unsupported for periodic triangulations, and
+/// cancelled.
 DELONE_EXPORT CanonicalHash canonical_hash(const ComplexData& data, const Execution& how = {});
 
 }  // namespace delone

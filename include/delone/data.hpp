@@ -23,17 +23,19 @@ namespace delone {
 
 /// What data are. Files say it by name (docs/formats.md), and check() proves what it says.
 enum class DataKind : std::uint8_t {
-  unknown,         ///< not said: a triangulation from elsewhere, Delaunay, or regular if there are weights
-  delaunay,        ///< ComplexData: a Delaunay triangulation
-  regular,         ///< ComplexData: a regular triangulation
-  furthest_site,   ///< ComplexData: a furthest-site Delaunay triangulation
-  alpha_complex,   ///< ComplexData: the cells of an alpha complex
-  alpha_boundary,  ///< ComplexData: the facets around these cells
-  trimmed,         ///< ComplexData: the cells that trim() has left of a triangulation
-  lower_hull,      ///< ComplexData: the cells of a lower hull
-  upper_hull,      ///< ComplexData: the cells of an upper hull
-  hull_boundary,   ///< ComplexData: the cells of a convex hull, where a format holds nothing else of it
-  convex_hull,     ///< HullData
+  unknown,            ///< not said: a triangulation from elsewhere, Delaunay, or regular if there are weights
+  delaunay,           ///< ComplexData: a Delaunay triangulation
+  regular,            ///< ComplexData: a regular triangulation
+  furthest_site,      ///< ComplexData: a furthest-site Delaunay triangulation
+  alpha_complex,      ///< ComplexData: the cells of an alpha complex
+  alpha_boundary,     ///< ComplexData: the facets around these cells
+  trimmed,            ///< ComplexData: the cells that trim() has left of a triangulation
+  lower_hull,         ///< ComplexData: the cells of a lower hull
+  upper_hull,         ///< ComplexData: the cells of an upper hull
+  periodic_delaunay,  ///< ComplexData: the Delaunay triangulation of a periodic set
+  periodic_regular,   ///< ComplexData: the regular triangulation of one
+  hull_boundary,      ///< ComplexData: the cells of a convex hull, where a format holds nothing else of it
+  convex_hull,        ///< HullData
   halfspace_intersection,  ///< IntersectionData
   voronoi,                 ///< VoronoiData: a Voronoi diagram
   power_diagram,           ///< VoronoiData: a power diagram
@@ -62,6 +64,9 @@ inline bool is_removed(std::size_t row, std::span<const SignedIndex> vertices, s
 }  // namespace detail
 
 /// A triangulation: Delaunay, regular (with weights) or furthest-site; or simplices of another kind.
+///
+/// Of a periodic set the members from `lattice` on mean what those of PeriodicTriangulation mean; they are
+/// empty for other sets.
 struct DELONE_EXPORT_TYPE ComplexData {
   int dimension = 0;               ///< d, coordinates per point
   int affine_dimension = -1;       ///< k, dimension of the affine hull of the points; −1 when there is none
@@ -76,6 +81,11 @@ struct DELONE_EXPORT_TYPE ComplexData {
   std::vector<std::string> column_names{};  ///< d, what the coordinates are called; empty: unknown
   DataKind kind = DataKind::unknown;        ///< what they are
   double tolerance = 0;  ///< of a lower or upper hull: points may be so far beyond it along the last axis
+  std::vector<double> lattice{};                 ///< r×d
+  std::vector<std::int32_t> cell_offsets{};      ///< m×(k+1)×r
+  std::vector<std::int32_t> neighbor_offsets{};  ///< m×(k+1)×r; empty if neighbors are
+  std::vector<std::int32_t> point_offsets{};     ///< n×r; may be empty: unknown
+  double unit = 0;                               ///< PeriodicOptions::unit
 
   std::size_t num_points() const {
     return dimension < 1 ? 0 : points.size() / static_cast<std::size_t>(dimension);
@@ -83,6 +93,13 @@ struct DELONE_EXPORT_TYPE ComplexData {
   /// Whether a row had been removed from the triangulation when this copy was made.
   bool is_removed(std::size_t row) const {
     return detail::is_removed(row, vertex_of_point, points, dimension);
+  }
+  bool is_periodic() const {
+    return kind == DataKind::periodic_delaunay || kind == DataKind::periodic_regular;
+  }
+  /// r, the number of lattice vectors.
+  std::size_t rank() const {
+    return dimension < 1 ? 0 : lattice.size() / static_cast<std::size_t>(dimension);
   }
   std::size_t num_cells() const {
     return affine_dimension < 0 ? 0 : cells.size() / (static_cast<std::size_t>(affine_dimension) + 1);

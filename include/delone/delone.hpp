@@ -27,6 +27,7 @@
 #include <delone/measures.hpp>
 #include <delone/natural_neighbors.hpp>
 #include <delone/options.hpp>
+#include <delone/periodic.hpp>
 #include <delone/point_locator.hpp>
 #include <delone/point_sets.hpp>
 #include <delone/points.hpp>

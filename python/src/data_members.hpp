@@ -46,6 +46,12 @@ void for_each_member(Data& data, Visit visit) {
   visit("weights", data.weights);
   visit("tolerance", data.tolerance);
   visit("kind", data.kind);
+  if (!data.is_periodic()) return;
+  visit("lattice", data.lattice, d, true);
+  visit("cell_offsets", data.cell_offsets, corners * data.rank(), true);
+  visit("neighbor_offsets", data.neighbor_offsets, corners * data.rank(), true);
+  visit("point_offsets", data.point_offsets, data.rank(), true);
+  visit("unit", data.unit);
 }
 
 template <class Data, class Visit>

@@ -10,6 +10,7 @@
 // facets with one orientation as with the other. In a sphere every chain of that kind is the boundary of
 // cells.
 #include "base/progress_meter.hpp"
+#include "check/check_periodic.hpp"
 #include "check/check_stages.hpp"
 #include "check/remade.hpp"
 
@@ -36,6 +37,7 @@ void check_kind(const ComplexData& data) {
     case DataKind::trimmed:
       break;
     case DataKind::regular:
+    case DataKind::periodic_regular:
       if (data.weights.empty() && data.num_points() > 0)
         throw Violation{what + " has weights, and these data have none"};
       break;
@@ -44,6 +46,7 @@ void check_kind(const ComplexData& data) {
     case DataKind::alpha_boundary:
     case DataKind::lower_hull:
     case DataKind::upper_hull:
+    case DataKind::periodic_delaunay:
     case DataKind::hull_boundary:
       if (!data.weights.empty()) throw Violation{what + " has no weights, and these data have some"};
       break;
@@ -301,7 +304,7 @@ void require_options(const ComplexData& data, const CheckOptions& options) {
                                             "; furthest_site is for data that do not say what they are");
   const bool has_ties = kind == DataKind::unknown || kind == DataKind::delaunay ||
                         kind == DataKind::regular || kind == DataKind::furthest_site ||
-                        kind == DataKind::alpha_complex || kind == DataKind::trimmed;
+                        kind == DataKind::alpha_complex || kind == DataKind::trimmed || data.is_periodic();
   if (options.canonical && !has_ties)
     throw Error(Errc::invalid_argument,
                 "the data say that they are " + what + "; canonical is for triangulations and parts of them");
@@ -322,6 +325,9 @@ CheckReport check(const ComplexData& data, const CheckOptions& options, const Ex
       return check_part_levels(data, options, how.threads);
     case DataKind::alpha_boundary:
       return check_boundary_levels(data, options, how.threads);
+    case DataKind::periodic_delaunay:
+    case DataKind::periodic_regular:
+      return check_periodic(data, options);
     case DataKind::hull_boundary: {
       CheckOptions of_hull;
       of_hull.up_to = options.up_to;

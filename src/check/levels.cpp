@@ -55,6 +55,9 @@ std::span<const CheckLevel> check_levels(DataKind kind) {
       return internal::levels_of_lower_hull;
     case DataKind::upper_hull:
       return internal::levels_of_upper_hull;
+    case DataKind::periodic_delaunay:
+    case DataKind::periodic_regular:
+      return internal::levels_of_periodic;
     case DataKind::hull_boundary:
     case DataKind::convex_hull:
       return check_levels<HullData>();

@@ -80,6 +80,13 @@ DELONE_HIDDEN inline constexpr std::array<CheckLevel, 6> levels_of_upper_hull{
      { 4, "volume", "every cell has positive volume over the compositions" },
      { 5, "local convexity", "no vertex above the hyperplane of a cell, the domain is convex" },
      { 6, "completeness", "no point is above the cells" }}};
+DELONE_HIDDEN inline constexpr std::array<CheckLevel, 6> levels_of_periodic{
+    {{1, "storage", "sizes, ranges, points on the grid of the box, no image twice in a cell"},
+     {2, "incidence", "neighbors are mutual, with their offsets"},
+     {3, "torus", "facets shared by two, Euler characteristic 0"},
+     {4, "volume", "every cell has positive volume, all together that of the box"},
+     {5, "local convexity", "no vertex inside the sphere of a cell, the outside is convex"},
+     {6, "completeness", "every point is a vertex or a translate of one, or hidden"}}};
 DELONE_HIDDEN inline constexpr std::array<CheckLevel, 3> levels_of_part{
     {levels_of<ComplexData>[0], levels_of<ComplexData>[1], {
        3, "part", "every cell is one of the triangulation of all points"

@@ -74,6 +74,8 @@ std::vector<complex::PointTag> weighted_tags(const ComplexData& data, complex::H
 CanonicalHash canonical_hash(const ComplexData& data, const Execution& how) {
   return internal::guarded("the hash", [&] {
     const internal::ProgressMeter meter(how.progress);
+    if (data.is_periodic())
+      throw Error(Errc::unsupported, "the hash of a periodic triangulation is that of PeriodicTriangulation");
     const std::size_t n = data.num_points();
     std::vector<complex::PointTag> tags(n);
     complex::HashAccumulator hash;

@@ -13,7 +13,7 @@ struct Words {
 };
 
 /// In the order of DataKind.
-constexpr std::array<Words, 15> words{{{"", "a triangulation"},
+constexpr std::array<Words, 17> words{{{"", "a triangulation"},
                                        {"delaunay", "a Delaunay triangulation"},
                                        {"regular", "a regular triangulation"},
                                        {"furthest_site", "a furthest-site Delaunay triangulation"},
@@ -22,6 +22,8 @@ constexpr std::array<Words, 15> words{{{"", "a triangulation"},
                                        {"trimmed", "a trimmed triangulation"},
                                        {"lower_hull", "a lower hull"},
                                        {"upper_hull", "an upper hull"},
+                                       {"periodic_delaunay", "a periodic Delaunay triangulation"},
+                                       {"periodic_regular", "a periodic regular triangulation"},
                                        {"hull_boundary", "the boundary of a convex hull"},
                                        {"convex_hull", "a convex hull"},
                                        {"halfspace_intersection", "an intersection of halfspaces"},

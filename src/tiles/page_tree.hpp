@@ -104,7 +104,12 @@ class PageSearch {
   /// The point in conflict with the smallest key. `is_in_conflict(x)` decides where rounded numbers do not.
   template <int D, class Exact>
   Answer find(const Question<D>& question, const Exact& is_in_conflict) {
-    Answer best;
+    return find_better(question, is_in_conflict, known_, {});
+  }
+  /// The same where other points are known, and an answer that may be the better one.
+  template <int D, class Exact>
+  Answer find_better(const Question<D>& question, const Exact& is_in_conflict, const KnownPoints& known,
+                     Answer best) {
     const QuestionForm form = question.form();
     const auto d = static_cast<std::size_t>(tree_.table().dimension);
     int num_missing = 0;
@@ -118,7 +123,7 @@ class PageSearch {
         const auto page = source_.find(entry.number);
         ++num_visited;
         if (page)
-          search_page(*page, entry.number, question, form, is_in_conflict, best);
+          search_page(*page, entry.number, question, form, is_in_conflict, known, best);
         else if (best.is_waiting = true; ++num_missing == most_missing)
           break;
         continue;
@@ -153,7 +158,8 @@ class PageSearch {
 
   template <int D, class Exact>
   void search_page(const Page& page, std::size_t number, const Question<D>& question,
-                   const QuestionForm& form, const Exact& is_in_conflict, Answer& best) {
+                   const QuestionForm& form, const Exact& is_in_conflict, const KnownPoints& known,
+                   Answer& best) {
     const auto d = static_cast<std::size_t>(tree_.table().dimension);
     for (std::size_t first = 0; first < page.size(); first += most_points_at_once) {
       const std::size_t count = std::min(page.size() - first, most_points_at_once);
@@ -161,14 +167,14 @@ class PageSearch {
                find_points_not_outside(d, form, page.coordinates.data() + first, page.stride(), count);
            bits != 0; bits &= bits - 1) {
         test_point(page, number, first + static_cast<std::size_t>(std::countr_zero(bits)), question,
-                   is_in_conflict, best);
+                   is_in_conflict, known, best);
       }
     }
   }
   template <int D, class Exact>
   void test_point(const Page& page, std::size_t number, std::size_t slot, const Question<D>& question,
-                  const Exact& is_in_conflict, Answer& best) {
-    if (known_.contains(number, slot)) return;
+                  const Exact& is_in_conflict, const KnownPoints& known, Answer& best) {
+    if (known.contains(number, slot)) return;
     page.copy_point(slot, point_.data());
     const double* const x = point_.data();
     const double key = question.key(x);

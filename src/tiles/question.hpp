@@ -67,6 +67,12 @@ class Question {
       reach_[j] = std::abs(p[j] - center[j]) + std::abs(center[j]);
     }
   }
+  /// The same for a sphere that was moved: the center, rounded to nearest, is that of a correctly rounded one
+  /// with coordinates `before`, so that it is off by 1.01u(|c_j| + |before_j|) at most.
+  void ask_within_moved_sphere(const double* p, const double* center, const double* before) {
+    ask_within_sphere(p, center);
+    for (std::size_t j = 0; j < d(); ++j) reach_[j] += std::abs(before[j]);
+  }
   /// Of an infinite cell: the outward unit normal of its facet, with an error below 1e-12.
   void ask_beyond_facet(const double* p, const double* normal) {
     p_ = p;

@@ -176,6 +176,7 @@ std::string to_html(const ComplexData& data, const HtmlOptions& options, const E
   const internal::ProgressMeter meter(how.progress);
   return io::guarded("page", [&] {
     io::validate(data, "page");
+    if (data.is_periodic()) throw Error(Errc::unsupported, "there is no page of a periodic triangulation");
     view::require_finite_rows(data);
     const bool is_alpha = data.kind == DataKind::alpha_complex;
     view::Scene scene = view::scene_of_cells(options, is_alpha ? "alpha" : "triangulation", data,

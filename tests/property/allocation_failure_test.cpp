@@ -220,6 +220,31 @@ TEST(AllocationFailure, Constructions) {
   }
 }
 
+TEST(AllocationFailure, PeriodicTriangulations) {
+  const Lattice lattice{3, {1, 0, 0, .25, 1, 0, 0, .5, 1}};
+  const auto see = [](const PeriodicTriangulation& t, Seen& seen) {
+    add(seen, t.hash());
+    add_all(seen, t.cells());
+    add_all(seen, t.cell_offsets());
+    add_all(seen, t.neighbors());
+    add(seen, t.is_simplicial() ? 1 : 0);
+    add(seen, check(t.to_data()).ok ? 1 : 0);
+  };
+  expect_throws_or_gives("periodic Delaunay", [&](Seen& seen) {
+    see(PeriodicDelaunay<>(PointsView(points_of(3, 9), 3), lattice), seen);
+  });
+  expect_throws_or_gives("periodic regular", [&](Seen& seen) {
+    see(PeriodicRegular<>(PointsView(points_of(3, 9), 3), weights_of(9), lattice), seen);
+  });
+  expect_all_or_nothing(
+      "arrays of a periodic triangulation",
+      [&] { return PeriodicDelaunay<>(PointsView(points_of(3, 9), 3), lattice); },
+      [&](const PeriodicDelaunay<>& t, Seen& seen) { see(t, seen); },
+      [](const PeriodicDelaunay<>& t) {
+        return Seen{t.displacement(), static_cast<double>(t.num_vertices())};
+      });
+}
+
 TEST(AllocationFailure, Queries) {
   for (const int d : {2, 3, 4}) {
     const std::vector<double> points = points_of(d, 25), queries = make_point_set("uniform", d, 5, 8);

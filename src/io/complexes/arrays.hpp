@@ -92,6 +92,17 @@ void for_each_array(Data& data, Visitor&& visit) {
   if (!std::is_const_v<Data> || !data.weights.empty())
     visit(Array{.name = "weights", .required = false, .finite = true}, data.weights, {data.num_points()});
   visit_tolerance(data, visit);
+  if (!data.is_periodic()) return;
+  visit(Array{.name = "lattice", .required = false, .finite = true}, data.lattice, {data.rank(), d});
+  const std::size_t r = data.rank();
+  visit(Array{.name = "cell_offsets", .required = false}, data.cell_offsets, {data.num_cells(), corners * r});
+  visit(Array{.name = "neighbor_offsets", .required = false}, data.neighbor_offsets,
+        {data.num_cells(), corners * r});
+  visit(Array{.name = "point_offsets", .required = false}, data.point_offsets, {data.num_points(), r});
+  std::vector<double> unit(data.unit == 0 ? 0 : 1, data.unit);
+  if (!std::is_const_v<Data> || !unit.empty())
+    visit(Array{.name = "unit", .required = false, .finite = true}, unit, {unit.size()});
+  if constexpr (!std::is_const_v<Data>) data.unit = unit.empty() ? 0 : unit[0];
 }
 
 template <SameData<HullData> Data, class Visitor>

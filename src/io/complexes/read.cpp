@@ -217,8 +217,9 @@ void read_scalars(IntersectionData& data, const File& file) {
 }
 
 template <class Data, class File>
-Data read_arrays(File& file) {
+Data read_arrays(File& file, DataKind kind = DataKind::unknown) {
   Data data;
+  if constexpr (std::is_same_v<Data, ComplexData>) data.kind = kind;
   ArrayReader reader(file);
   if constexpr (std::is_same_v<Data, IntersectionData>) {
     read_scalars(data, file);
@@ -263,11 +264,8 @@ AnyData read_file(File file, std::optional<Type> wanted) {
                                             : DataKind::power_diagram;
       return data;
     }
-    default: {
-      ComplexData data = read_arrays<ComplexData>(file);
-      data.kind = kind;
-      return data;
-    }
+    default:
+      return read_arrays<ComplexData>(file, kind);
   }
 }
 

@@ -80,6 +80,9 @@ void write(const std::string& path, const ComplexData& data, const std::string& 
   const std::string name = io::output_name(path);
   io::guarded(name, [&] {
     io::validate(data, name);
+    if (data.is_periodic() && chosen != "npz" && chosen != "json")
+      io::fail(Errc::unsupported, "{}: {} is written as npz or json; {} has no offsets", name,
+               description_of(data.kind), chosen);
     if (chosen == "html") return write_text(path, to_html(data));
     io::require_all_rows(data, name);
     io::require_finite(data.points, data.dimension, name);

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Periodic input of the commands `delaunay` and `regular`: --lattice and what goes with it.
+#pragma once
+
+#include "build_options.hpp"
+#include "command.hpp"
+#include "cost.hpp"
+
+#include <span>
+#include <string>
+
+namespace delone::cli {
+
+struct PeriodicInput {
+  std::string lattice;  ///< lengths, or a file of vectors; empty: not periodic
+  std::string axes;     ///< which of the vectors; empty: all
+  double unit = 0;
+  bool exact = false;
+
+  void add_to(CLI::App& command);
+  bool is_wanted() const { return !lattice.empty(); }
+  /// Throws UsageError for what is no lattice of points of this dimension.
+  Lattice read(int dimension) const;
+  PeriodicOptions options() const { return {.exact = exact, .unit = unit}; }
+};
+
+/// Triangulates points, with weights if there are some, and writes and reports as the command does.
+/// `command`: its name.
+int run_periodic(const char* command, const PointInput& input, const PointTable& table,
+                 const std::vector<double>* weights, const PeriodicInput& periodic, const BuildOptions& build,
+                 Clock::time_point start, Cost cost);
+
+}  // namespace delone::cli

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// delone.PeriodicDelaunay and delone.PeriodicRegular.
+#include "arrays.hpp"
+#include "data_members.hpp"
+#include "docs_periodic.hpp"
+#include "docstring.hpp"
+#include "module.hpp"
+#include "pickling.hpp"
+#include "running.hpp"
+#include "saving.hpp"
+
+#include <pybind11/stl.h>
+
+#include <delone/periodic.hpp>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace delone::python {
+namespace {
+
+using namespace py::literals;
+
+/// A triangulation that nothing changes any more.
+class HeldPeriodic {
+ public:
+  using Held = std::shared_ptr<const PeriodicTriangulation>;
+
+  HeldPeriodic(Held held, PeriodicOptions options) : held_(std::move(held)), options_(options) {}
+
+  const PeriodicTriangulation& get() const { return *held_; }
+  const Held& owner() const { return held_; }
+  const PeriodicOptions& options() const { return options_; }
+  /// The answer of what may be made on first use.
+  template <class Question>
+  auto ask(Question question) const {
+    Supervisor supervisor;
+    return supervisor.run([&] { return question(*held_); });
+  }
+
+ private:
+  Held held_;
+  PeriodicOptions options_;
+};
+
+/// One C++ class for each Python class.
+struct HeldPeriodicDelaunay : HeldPeriodic {
+  using HeldPeriodic::HeldPeriodic;
+};
+struct HeldPeriodicRegular : HeldPeriodic {
+  using HeldPeriodic::HeldPeriodic;
+};
+
+Lattice as_lattice(const py::object& lattice, const py::object& axes, int dimension) {
+  const auto rows =
+      as_doubles(py::module_::import("delone._lattice").attr("vectors")(lattice, axes, dimension), "lattice");
+  const auto numbers_of = numbers(rows);
+  return {dimension, {numbers_of.begin(), numbers_of.end()}};
+}
+
+PeriodicOptions as_options(bool exact, bool wrap, const py::object& unit) {
+  PeriodicOptions options{exact, wrap, 0};
+  if (!unit.is_none()) {
+    options.unit = unit.cast<double>();
+    if (!(options.unit > 0)) throw py::value_error("unit: a number above 0, or None");
+  }
+  return options;
+}
+
+template <class Make>
+HeldPeriodic::Held made(const BuildArguments& arguments, const py::object& progress, Make make) {
+  const Options options = arguments.to_options();
+  Supervisor supervisor(progress);
+  return supervisor.run([&]() -> HeldPeriodic::Held { return make(options); });
+}
+
+HeldPeriodic::Held make_delaunay(std::span<const double> points, const Lattice& lattice,
+                                 const PeriodicOptions& how, const Options& options) {
+  return std::make_shared<const PeriodicDelaunay<>>(PointsView(points, lattice.dimension), lattice, how,
+                                                    options);
+}
+HeldPeriodic::Held make_regular(std::span<const double> points, std::span<const double> weights,
+                                const Lattice& lattice, const PeriodicOptions& how, const Options& options) {
+  return std::make_shared<const PeriodicRegular<>>(PointsView(points, lattice.dimension), weights, lattice,
+                                                   how, options);
+}
+
+std::unique_ptr<HeldPeriodicDelaunay> construct_delaunay(
+    const py::object& points, const py::object& lattice, const py::object& axes, bool exact, bool wrap,
+    const py::object& unit, std::uint64_t seed, std::string order, int threads, const py::object& progress,
+    const py::object& memory_limit, const py::object& time_limit) {
+  const auto rows = as_points(points, "points");
+  const Lattice box = as_lattice(lattice, axes, static_cast<int>(rows.shape(1)));
+  const PeriodicOptions how = as_options(exact, wrap, unit);
+  const BuildArguments arguments{seed, std::move(order), threads, as_memory_limit(memory_limit),
+                                 as_time_limit(time_limit)};
+  return std::make_unique<HeldPeriodicDelaunay>(
+      made(arguments, progress,
+           [&](const Options& options) { return make_delaunay(numbers(rows), box, how, options); }),
+      how);
+}
+
+std::unique_ptr<HeldPeriodicRegular> construct_regular(
+    const py::object& points, const py::object& weights, const py::object& lattice, const py::object& axes,
+    bool exact, bool wrap, const py::object& unit, std::uint64_t seed, std::string order, int threads,
+    const py::object& progress, const py::object& memory_limit, const py::object& time_limit) {
+  const auto rows = as_points(points, "points");
+  const auto of_rows = as_doubles(weights, "weights");
+  if (of_rows.ndim() != 1 || of_rows.shape(0) != rows.shape(0))
+    throw py::value_error("weights: an array of shape (" + std::to_string(rows.shape(0)) + ",), not " +
+                          shown(of_rows.attr("shape")));
+  const Lattice box = as_lattice(lattice, axes, static_cast<int>(rows.shape(1)));
+  const PeriodicOptions how = as_options(exact, wrap, unit);
+  const BuildArguments arguments{seed, std::move(order), threads, as_memory_limit(memory_limit),
+                                 as_time_limit(time_limit)};
+  return std::make_unique<HeldPeriodicRegular>(made(arguments, progress,
+                                                    [&](const Options& options) {
+                                                      return make_regular(numbers(rows), numbers(of_rows),
+                                                                          box, how, options);
+                                                    }),
+                                               how);
+}
+
+py::ssize_t corners(const PeriodicTriangulation& t) {
+  return std::max(t.affine_dimension(), 0) + py::ssize_t{1};
+}
+
+template <class T>
+py::array cell_rows(const HeldPeriodic& held, std::span<const T> (PeriodicTriangulation::*member)() const,
+                    bool has_offsets) {
+  const auto items = held.ask([&](const PeriodicTriangulation& t) { return (t.*member)(); });
+  const PeriodicTriangulation& t = held.get();
+  std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(t.num_cells()), corners(t)};
+  if (has_offsets) shape.push_back(t.rank());
+  return view<T>(items, std::move(shape), held.owner());
+}
+
+std::string repr(const HeldPeriodic& held) {
+  const PeriodicTriangulation& t = held.get();
+  return std::string("<delone.") + (t.is_regular() ? "PeriodicRegular: " : "PeriodicDelaunay: ") +
+         std::to_string(t.num_points()) + " points, dimension " + std::to_string(t.dimension()) +
+         ", periodic in " + std::to_string(t.rank()) + (t.rank() == 1 ? " direction>" : " directions>");
+}
+
+py::array lattice_of(const HeldPeriodic& held) {
+  const PeriodicTriangulation& t = held.get();
+  return view<double>(t.lattice().vectors, {t.rank(), t.dimension()}, held.owner());
+}
+py::array points_of(const HeldPeriodic& held) {
+  const PeriodicTriangulation& t = held.get();
+  return view<double>(t.points(), {static_cast<py::ssize_t>(t.num_points()), t.dimension()}, held.owner());
+}
+py::array weights_of(const HeldPeriodic& held) {
+  return view<double>(held.get().weights(), {static_cast<py::ssize_t>(held.get().weights().size())},
+                      held.owner());
+}
+
+py::tuple state(const HeldPeriodic& held) {
+  return py::make_tuple(points_of(held), weights_of(held), lattice_of(held), held.options().unit);
+}
+template <class Held>
+Held restored(const py::tuple& given, bool is_regular) {
+  return from_state(given, 4, "a periodic triangulation", [&](const py::tuple& state) {
+    const auto points = as_points(state[0], "points");
+    const auto weights = as_doubles(state[1], "weights"), lattice = as_doubles(state[2], "lattice");
+    const PeriodicOptions how{.unit = state[3].cast<double>()};
+    const Lattice box{static_cast<int>(points.shape(1)), {lattice.data(), lattice.data() + lattice.size()}};
+    return Held(made({}, py::none(),
+                     [&](const Options& options) {
+                       return is_regular ? make_regular(numbers(points), numbers(weights), box, how, options)
+                                         : make_delaunay(numbers(points), box, how, options);
+                     }),
+                how);
+  });
+}
+
+template <class Class>
+void define_members(Class& type) {
+  type.def_property_readonly(
+          "dimension", [](const HeldPeriodic& h) { return h.get().dimension(); },
+          "The number d >= 1 of coordinates of a point.")
+      .def_property_readonly(
+          "affine_dimension", [](const HeldPeriodic& h) { return h.get().affine_dimension(); },
+          "The dimension k <= d of the smallest flat that contains all points and lattice "
+          "vectors; -1 without points.")
+      .def_property_readonly(
+          "rank", [](const HeldPeriodic& h) { return h.get().rank(); }, "The number r of lattice vectors.")
+      .def_property_readonly(
+          "num_points", [](const HeldPeriodic& h) { return h.get().num_points(); }, "The number n of points.")
+      .def_property_readonly(
+          "num_vertices", [](const HeldPeriodic& h) { return h.get().num_vertices(); },
+          "The number of points that are vertices.")
+      .def_property_readonly(
+          "num_duplicates", [](const HeldPeriodic& h) { return h.get().num_duplicates(); },
+          "The number of points that are translates of earlier ones.")
+      .def_property_readonly(
+          "num_hidden", [](const HeldPeriodic& h) { return h.get().num_hidden(); },
+          "The number of hidden points.")
+      .def_property_readonly(
+          "num_cells",
+          [](const HeldPeriodic& h) {
+            return h.ask([](const PeriodicTriangulation& t) { return t.num_cells(); });
+          },
+          "The number m of cells.")
+      .def_property_readonly(
+          "num_ghosts", [](const HeldPeriodic& h) { return h.get().num_ghosts(); },
+          "The number of translates that were inserted.")
+      .def_property_readonly("points", &points_of,
+                             "The points where they were given, on the grid, (n, d) float64.")
+      .def_property_readonly("lattice", &lattice_of, "The lattice vectors on the grid, (r, d) float64.")
+      .def_property_readonly(
+          "displacement", [](const HeldPeriodic& h) { return h.get().displacement(); },
+          "The most that a coordinate of a point or lattice vector has moved onto the grid.")
+      .def_property_readonly(
+          "cells", [](const HeldPeriodic& h) { return cell_rows(h, &PeriodicTriangulation::cells, false); },
+          text(docs::periodic::cells))
+      .def_property_readonly(
+          "cell_offsets",
+          [](const HeldPeriodic& h) { return cell_rows(h, &PeriodicTriangulation::cell_offsets, true); },
+          text(docs::periodic::cell_offsets))
+      .def_property_readonly(
+          "neighbors",
+          [](const HeldPeriodic& h) { return cell_rows(h, &PeriodicTriangulation::neighbors, false); },
+          text(docs::periodic::neighbors))
+      .def_property_readonly(
+          "neighbor_offsets",
+          [](const HeldPeriodic& h) { return cell_rows(h, &PeriodicTriangulation::neighbor_offsets, true); },
+          text(docs::periodic::neighbor_offsets))
+      .def_property_readonly(
+          "vertex_of_point",
+          [](const HeldPeriodic& h) {
+            const auto items = h.get().vertex_of_point();
+            return view<SignedIndex>(items, {static_cast<py::ssize_t>(items.size())}, h.owner());
+          },
+          text(docs::periodic::vertex_of_point))
+      .def_property_readonly(
+          "point_offsets",
+          [](const HeldPeriodic& h) {
+            return view<std::int32_t>(h.get().point_offsets(),
+                                      {static_cast<py::ssize_t>(h.get().num_points()), h.get().rank()},
+                                      h.owner());
+          },
+          text(docs::periodic::point_offsets))
+      .def_property_readonly(
+          "is_simplicial",
+          [](const HeldPeriodic& h) {
+            return h.ask([](const PeriodicTriangulation& t) { return t.is_simplicial(); });
+          },
+          "Whether cells are told by their rows: no two edges have the same ends, and none the same end "
+          "twice.")
+      .def_property_readonly(
+          "hash",
+          [](const HeldPeriodic& h) {
+            return h.ask([](const PeriodicTriangulation& t) { return t.hash().hex(); });
+          },
+          text(docs::periodic::hash))
+      .def_property_readonly(
+          "statistics", [](const HeldPeriodic& h) { return as_dict(h.get().statistics()); },
+          "What the construction has cost, a dict: see `Delaunay.statistics`.")
+      .def("_data",
+           [](const HeldPeriodic& h) {
+             return to_python(h.ask([](const PeriodicTriangulation& t) { return t.to_data(); }));
+           })
+      .def("__len__",
+           [](const HeldPeriodic& h) {
+             return h.ask([](const PeriodicTriangulation& t) { return t.num_cells(); });
+           })
+      .def("__repr__", &repr);
+  define_save(type, [](const HeldPeriodic& h, const SaveArguments& arguments) {
+    if (arguments.qhull)
+      throw Error(Errc::unsupported, "the output of Qhull has no offsets for a periodic triangulation");
+    h.ask([&](const PeriodicTriangulation& t) {
+      arguments.save_data(t.to_data());
+      return true;
+    });
+  });
+}
+
+}  // namespace
+
+void bind_periodic(py::module_& module) {
+  py::class_<HeldPeriodic> base(module, "PeriodicTriangulation", text(docs::periodic::base));
+  define_members(base);
+  py::class_<HeldPeriodicDelaunay, HeldPeriodic>(module, "PeriodicDelaunay", text(docs::periodic::delaunay))
+      .def(py::init(&construct_delaunay), "points"_a, "lattice"_a, "axes"_a = py::none(), py::kw_only(),
+           "exact"_a = false, "wrap"_a = true, "unit"_a = py::none(), "seed"_a = 0, "order"_a = "automatic",
+           "threads"_a = 0, "progress"_a = py::none(), "memory_limit"_a = py::none(),
+           "time_limit"_a = py::none())
+      .def(py::pickle(&state,
+                      [](const py::tuple& given) { return restored<HeldPeriodicDelaunay>(given, false); }));
+  py::class_<HeldPeriodicRegular, HeldPeriodic>(module, "PeriodicRegular", text(docs::periodic::regular))
+      .def(py::init(&construct_regular), "points"_a, "weights"_a, "lattice"_a, "axes"_a = py::none(),
+           py::kw_only(), "exact"_a = false, "wrap"_a = true, "unit"_a = py::none(), "seed"_a = 0,
+           "order"_a = "automatic", "threads"_a = 0, "progress"_a = py::none(), "memory_limit"_a = py::none(),
+           "time_limit"_a = py::none())
+      .def_property_readonly("weights", &weights_of, "The weights, (n,) float64.")
+      .def(py::pickle(&state,
+                      [](const py::tuple& given) { return restored<HeldPeriodicRegular>(given, true); }));
+}
+
+}  // namespace delone::python

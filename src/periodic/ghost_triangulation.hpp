@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The triangulation of the points of a periodic set, in the box of its lattice, and of as many images of
+// them, ghosts, as it takes: until no cell with a vertex of the set is in conflict with any image. Then these
+// cells are all cells of the periodic triangulation at the points of the set.
+//
+// Why. A cell that no point of the whole set is in conflict with, ties perturbed by coordinates alone, is a
+// cell of the whole; translations change no answer, as they are exact. The star of a vertex, closed by cells
+// of the whole, is its whole star. A facet of the hull stays one if it is parallel to the lattice, as then
+// every image of a point is as far below it as the point. Beyond other facets at a point p of the set lies
+// p + a_i or p − a_i, and is inserted.
+#pragma once
+
+#include "periodic/images.hpp"
+
+#include <delone/delaunay.hpp>
+#include <delone/options.hpp>
+#include <delone/regular.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace delone::periodic {
+
+/// What ghosts have cost.
+struct GhostEffort {
+  std::size_t num_ghosts = 0, num_rounds = 0;
+  std::uint64_t questions = 0, pages = 0;
+  double insert_seconds = 0, ask_seconds = 0, later_seconds = 0;
+};
+
+class GhostTriangulation {
+ public:
+  /// REQUIRES that the set outlives the object.
+  GhostTriangulation(const PeriodicSet& set, const Options& options);
+  GhostTriangulation(const GhostTriangulation&) = delete;
+  GhostTriangulation& operator=(const GhostTriangulation&) = delete;
+
+  /// Rows 0 … n−1 are the points of the set, the others ghosts.
+  const Triangulation& triangulation() const {
+    return delaunay_ ? static_cast<const Triangulation&>(*delaunay_) : *regular_;
+  }
+  /// Of a finite vertex: the first row of the set at its point, and the shift; 0 for a point of the set.
+  const Image& image_of(VertexId v) const { return image_of_vertex_[index(v)]; }
+  bool is_own(VertexId v) const { return v != infinite_vertex && image_of(v).shift == 0; }
+  std::span<const std::int32_t> offset_of(VertexId v) const { return images_.shift(image_of(v).shift).k; }
+  const Images& images() const { return images_; }
+  const GhostEffort& effort() const { return effort_; }
+
+ private:
+  template <int D>
+  class Asking;
+
+  /// An image that a cell is in conflict with, and its place among the pages if it was searched there.
+  struct Found {
+    Image image;
+    std::optional<tiles::PointPlace> place;
+    CellId cell;
+  };
+
+  void begin();
+  void ask();
+  void insert_found();
+  void insert(std::span<const Image> ghosts);
+  void enter_vertices();
+
+  const PeriodicSet& set_;
+  Images images_;
+  std::optional<Delaunay<>> delaunay_;
+  std::optional<Regular<>> regular_;
+  std::vector<Image> ghosts_;           // of the rows from n on
+  std::vector<Image> image_of_vertex_;  // by vertex id
+  std::size_t num_rows_done_ = 0;       // rows whose vertices are entered
+  Index first_new_vertex_ = 1;          // of the last insertion
+  std::vector<Found> found_;            // to be inserted next
+  GhostEffort effort_;
+};
+
+}  // namespace delone::periodic

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The search for the image that a growing sphere through a point of the set meets first: the question of
+// tiles/question.hpp, asked in each translated copy of the pages that the sphere may reach.
+//
+// Which copies. The part of a ball of center c and radius R between two planes orthogonal to a free direction
+// is within √(R² − h²) of c along the lattice, h the distance of c from the planes. With c − p = λ(a + b), a
+// along the lattice and b in the free directions, p between the planes and t from the one that c is beyond,
+// that is λ²|a|² + Σ t(2λ|b_i| − t), where a free direction with λ|b_i| ≤ t adds λ²b_i² instead. So a huge
+// ball that only just reaches the set is no reason to look far. Fractions of what it has are within that
+// times |g_i| of those of c. All of this is rounded, and widened by much more than its errors.
+#pragma once
+
+#include "periodic/images.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace delone::periodic {
+
+struct FoundImage {
+  bool is_open = false;
+  std::uint32_t shift = 0;
+  tiles::PointPlace place;
+};
+
+template <int D>
+class ImageSearch {
+ public:
+  explicit ImageSearch(Images& images)
+      : images_(images),
+        set_(images.set()),
+        question_(set_.dimension, set_.weighted),
+        search_(images.tree(), images.source(), images.shift(0).known, 0, 0),
+        moved_p_(set_.row_size()),
+        moved_c_(set_.dimension),
+        image_(set_.row_size()),
+        fraction_of_p_(set_.rank),
+        step_(set_.rank),
+        slack_(set_.rank),
+        k_(set_.rank),
+        low_(set_.rank),
+        high_(set_.rank),
+        beyond_(images.num_free_directions()),
+        depth_(images.num_free_directions()) {
+    question_.set_largest_weight(images.weight_range());
+  }
+
+  /// For a cell of this center, correctly rounded, and a vertex p of it that is a point of the set.
+  /// `is_in_conflict(x)` decides where rounded numbers do not.
+  template <class Exact>
+  FoundImage find(const double* p, const double* center, const Exact& is_in_conflict) {
+    measure(p, center);
+    const double start = set_.period.shortest() / 2;
+    double part = radius_ <= start || !std::isfinite(radius_) ? 1 : start / radius_;
+    FoundImage found;
+    tiles::Answer best;
+    for (;; part = std::min(1.0, 2 * part)) {
+      find_range(part);
+      k_ = low_;
+      do {
+        if (std::all_of(k_.begin(), k_.end(), [](std::int32_t one) { return one == 0; })) continue;
+        ask(p, center, is_in_conflict, best, found);
+      } while (next_in_range(k_, low_, high_));
+      if (found.is_open || part == 1) return found;
+    }
+  }
+
+  std::uint64_t num_pages() const { return search_.num_visited; }
+
+ private:
+  /// What find_range() needs of p and c.
+  void measure(const double* p, const double* c) {
+    const std::size_t d = set_.dimension;
+    const Period& period = set_.period;
+    double squared = 0;
+    along_ = 0;
+    for (std::size_t j = 0; j < d; ++j) squared += (c[j] - p[j]) * (c[j] - p[j]);
+    radius_ = std::sqrt(squared);
+    double along_slack = 0, lateral = 0;
+    for (std::size_t i = 0; i < set_.rank; ++i) {
+      double step = 0, magnitude = 0;
+      for (std::size_t j = 0; j < d; ++j) {
+        step += period.gradient(i)[j] * (c[j] - p[j]);
+        magnitude += std::abs(period.gradient(i)[j]) * (std::abs(c[j]) + std::abs(p[j]));
+      }
+      step_[i] = step;
+      fraction_of_p_[i] = period.fraction(i, p);
+      slack_[i] = 0x1p-44 * magnitude + 2 * images_.fraction_slack(i);
+      along_slack += slack_[i] / period.gradient_length(i);
+    }
+    for (std::size_t j = 0; j < d; ++j) {
+      double coordinate = 0;
+      for (std::size_t i = 0; i < set_.rank; ++i) {
+        coordinate += step_[i] * period.vector(i)[j];
+        along_slack +=
+            0x1p-44 * std::abs(step_[i] * period.vector(i)[j]) + slack_[i] * std::abs(period.vector(i)[j]);
+      }
+      lateral += coordinate * coordinate;
+    }
+    along_ = std::sqrt(lateral) + along_slack;
+    for (std::size_t i = 0; i < beyond_.size(); ++i) {
+      double b = 0, at = 0;
+      for (std::size_t j = 0; j < d; ++j) {
+        b += images_.free_direction(i)[j] * (c[j] - p[j]);
+        at += images_.free_direction(i)[j] * p[j];
+      }
+      beyond_[i] = std::abs(b) + 0x1p-44 * radius_;
+      depth_[i] = std::max(b >= 0 ? images_.high(i) - at : at - images_.low(i), 0.0);
+      // A direction that rounding may turn to the other side.
+      if (std::abs(b) <= 0x1p-44 * radius_) depth_[i] = images_.high(i) - images_.low(i);
+    }
+    gain_ = set_.weighted ? std::max(images_.largest_weight() - p[d], 0.0) : 0.0;
+  }
+
+  /// The shifts with images that the ball around p + part·(c − p) may have.
+  void find_range(double part) {
+    double squared = part * along_ * part * along_ + gain_;
+    for (std::size_t i = 0; i < beyond_.size(); ++i) {
+      const double b = part * beyond_[i], t = depth_[i];
+      squared += b <= t ? b * b : t * (2 * b - t);
+    }
+    const double radius = std::sqrt(squared) * (1 + 0x1p-30);
+    for (std::size_t i = 0; i < set_.rank; ++i) {
+      const int reach = set_.period.reach(i);
+      const double middle = fraction_of_p_[i] + part * step_[i],
+                   width = radius * set_.period.gradient_length(i) + slack_[i];
+      const double low = std::floor(middle - width), high = std::floor(middle + width);
+      // Comparisons with NaN are false.
+      low_[i] = low > -reach ? static_cast<std::int32_t>(std::min<double>(low, reach)) : -reach;
+      high_[i] = high < reach ? static_cast<std::int32_t>(std::max<double>(high, -reach)) : reach;
+    }
+  }
+
+  template <class Exact>
+  void ask(const double* p, const double* c, const Exact& is_in_conflict, tiles::Answer& best,
+           FoundImage& found) {
+    const std::uint32_t number = images_.shift_number(k_);
+    const Shift& shift = images_.shift(number);
+    const std::size_t d = set_.dimension;
+    for (std::size_t j = 0; j < d; ++j) {
+      moved_p_[j] = p[j] - shift.by[j];
+      moved_c_[j] = c[j] - shift.by[j];
+    }
+    if (set_.weighted) moved_p_[d] = p[d];
+    question_.ask_within_moved_sphere(moved_p_.data(), moved_c_.data(), c);
+    const tiles::Answer before = best;
+    best = search_.find_better(
+        question_,
+        [&](const double* x) {
+          std::copy_n(x, image_.size(), image_.data());
+          for (std::size_t j = 0; j < d; ++j) image_[j] += shift.by[j];
+          return is_in_conflict(image_.data());
+        },
+        shift.known, best);
+    if (!best.is_open || (found.is_open && best.key == before.key && best.place == before.place)) return;
+    found = {true, number, best.place};
+  }
+
+  Images& images_;
+  const PeriodicSet& set_;
+  tiles::Question<D> question_;
+  tiles::PageSearch search_;
+  std::vector<double> moved_p_, moved_c_, image_;
+  std::vector<double> fraction_of_p_, step_, slack_;  // of c − p, by the axes of the lattice
+  std::vector<std::int32_t> k_, low_, high_;
+  std::vector<double> beyond_, depth_;  // |b_i| and t, by free directions
+  double radius_ = 0, along_ = 0, gain_ = 0;
+};
+
+}  // namespace delone::periodic

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "periodic/periodic_set.hpp"
+
+#include "base/quick_rounds.hpp"
+#include "base/require_finite.hpp"
+#include "periodic/lattice_reduction.hpp"
+
+#include <delone/error.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+namespace delone::periodic {
+
+namespace {
+
+using kernel::Integer;
+
+/// Points farther away, in periods, are refused, so that offsets have 32 bits.
+constexpr double most_periods = 0x1p29;
+/// The largest coefficient of a short vector in terms of the given ones.
+constexpr int most_of_sums = 1 << 29;
+
+[[noreturn]] void refuse(const std::string& message, std::vector<std::size_t> rows = {}) {
+  throw Error(Errc::invalid_argument, message, std::move(rows));
+}
+
+std::vector<double> nearest_doubles(std::span<const Integer> integers, int grid) {
+  std::vector<double> numbers;
+  for (const Integer& one : integers) numbers.push_back(kernel::nearest_double(one, 1, grid));
+  return numbers;
+}
+
+class SetMaker {
+ public:
+  explicit SetMaker(const SetInput& input) : input_(input), d_(input.dimension) {}
+
+  PeriodicSet make() {
+    check();
+    set_.dimension = d_;
+    set_.rank = r_;
+    set_.weighted = input_.is_weighted;
+    set_.unit = input_.unit;
+    std::vector<double> given(input_.lattice.begin(), input_.lattice.end());
+    for (double& x : given) x = number_of(x, "a lattice vector");
+    IntegerRows rows = integers_of(given);
+    require_independent(rows.entries);
+    sums_ = reduce_lattice(rows.entries, r_);
+    // Of a size near 1, so that squares are in range.
+    double size = 0;
+    for (const double x : r_ > 0 ? std::span<const double>(given) : input_.points)
+      size = std::max(size, std::abs(x));
+    const int exponent = size > 0 ? std::ilogb(size) : 0;
+    choose_grid(Period(nearest_doubles(rows.entries, rows.grid - exponent), r_, d_), exponent);
+    snap_lattice(given);
+    wrap_points();
+    set_.grid = grid_;
+    return std::move(set_);
+  }
+
+ private:
+  void check() {
+    if (d_ == 0 || input_.lattice.size() % d_ != 0)
+      throw Error(Errc::bad_dimension, "the lattice has " + std::to_string(input_.lattice.size()) +
+                                           " numbers, which are no vectors of " + std::to_string(d_));
+    r_ = input_.lattice.size() / d_;
+    if (r_ > d_)
+      throw Error(Errc::bad_dimension,
+                  std::to_string(r_) + " lattice vectors in " + std::to_string(d_) + " dimensions");
+    const std::size_t n = input_.points.size() / d_;
+    if (input_.is_weighted && input_.weights.size() != n)
+      throw Error(Errc::bad_dimension,
+                  std::to_string(input_.weights.size()) + " weights for " + std::to_string(n) + " points");
+    internal::require_finite(input_.points, d_, "a coordinate");
+    internal::require_finite(input_.weights, 1, "the weight");
+    internal::require_finite(input_.lattice, d_, "a coordinate", "lattice vector");
+    if (!(input_.unit >= 0 && std::isfinite(input_.unit)))
+      refuse("the unit must be a positive number, or 0 for none");
+  }
+
+  void require_independent(std::span<const Integer> rows) const {
+    for (std::size_t i = 0; i < r_; ++i)
+      if (std::all_of(rows.begin() + static_cast<std::ptrdiff_t>(i * d_),
+                      rows.begin() + static_cast<std::ptrdiff_t>((i + 1) * d_),
+                      [](const Integer& x) { return x == 0; }))
+        refuse("lattice vector " + std::to_string(i) + " is zero", {i});
+    if (r_ > 0 && kernel::exact_determinant(gram_matrix(rows, r_), r_) == 0)
+      refuse("the lattice is singular: its vectors are linearly dependent");
+  }
+
+  /// A number of the caller as it is, or as a multiple of the unit.
+  double number_of(double x, const char* what) {
+    if (input_.unit == 0) return x;
+    const double multiple = std::nearbyint(x / input_.unit);
+    if (!(std::abs(multiple) <= 0x1p53))
+      refuse(std::string("the unit is too small: ") + what + " is not below 2^53 units");
+    // Decimal numbers and the product are rounded.
+    const double moved = std::abs(x - multiple * input_.unit);
+    if (moved > 0x1p-51 * std::abs(x)) note_displacement(moved);
+    return multiple;
+  }
+
+  void note_displacement(double moved) { set_.displacement = std::max(set_.displacement, moved); }
+
+  /// From the lattice in units of 2^exponent, nearly: what coordinates of images are below, and the grid.
+  void choose_grid(const Period& period, int exponent) {
+    double codes = 1;
+    for (std::size_t i = 0; i < r_; ++i) codes *= 2.0 * period.reach(i) + 1;
+    if (codes > 0x1p62)
+      throw Error(Errc::unsupported, "lattices of so many dimensions, or so flat, are not supported");
+    set_.largest.assign(d_, 0.0);
+    for (std::size_t i = 0; i < r_; ++i)
+      for (std::size_t j = 0; j < d_; ++j)
+        set_.largest[j] += (period.reach(i) + 1) * std::abs(period.vector(i)[j]);
+    if (r_ < d_) {  // the parts of points that are orthogonal to the lattice
+      std::vector<double> free(d_, 0.0), x(d_);
+      for (std::size_t at = 0; at < input_.points.size(); at += d_) {
+        for (std::size_t j = 0; j < d_; ++j)
+          x[j] = std::ldexp(number_of(input_.points[at + j], "a coordinate"), -exponent);
+        for (std::size_t j = 0; j < d_; ++j) {
+          double part = x[j];
+          for (std::size_t i = 0; i < r_; ++i) part -= period.fraction(i, x.data()) * period.vector(i)[j];
+          free[j] = std::max(free[j], std::abs(part));
+        }
+      }
+      for (std::size_t j = 0; j < d_; ++j) set_.largest[j] += free[j] * (1 + 0x1p-20);
+    }
+    const double bound = *std::max_element(set_.largest.begin(), set_.largest.end());
+    int e = 0;
+    std::frexp(bound * (1 + 0x1p-20), &e);
+    e += exponent;
+    if (!std::isfinite(bound) || e > std::numeric_limits<double>::max_exponent)
+      refuse("the box is too large: images of its points are not finite");
+    if (input_.unit > 0 && e > 53) refuse("the unit is too small: the box has more than 2^53 units");
+    grid_ = input_.unit > 0 ? 0 : e - 53;
+    // Products of many coordinates stay far from the ends of the range.
+    constexpr int moderate = 100;
+    if (input_.unit == 0 && std::abs(e) > moderate) set_.scale = e;
+    for (double& x : set_.largest) x = std::ldexp(x, exponent - set_.scale);
+  }
+
+  /// The nearest multiple of u, in the numbers of the set.
+  double snapped(double x) {
+    const double multiple = std::nearbyint(std::ldexp(x, -grid_));
+    if (!std::isfinite(multiple)) return multiple;
+    const double back = std::ldexp(multiple, grid_);
+    if (back != x) note_displacement(std::abs(x - back) * (input_.unit > 0 ? input_.unit : 1));
+    return std::ldexp(multiple, grid_ - set_.scale);
+  }
+
+  void snap_lattice(std::span<const double> given) {
+    for (const double x : given) set_.lattice.push_back(snapped(x));
+    const IntegerRows rows = integers_of(set_.lattice);
+    std::vector<Integer> reduced(r_ * d_);
+    for (std::size_t i = 0; i < r_; ++i)
+      for (std::size_t l = 0; l < r_; ++l) {
+        const Integer& factor = sums_[i * r_ + l];
+        if (factor > most_of_sums || factor < -most_of_sums)
+          throw Error(Errc::unsupported,
+                      "the lattice vectors are too skewed: beyond 2^29 of the shortest ones");
+        set_.sums.push_back(static_cast<std::int64_t>(factor));
+        for (std::size_t j = 0; j < d_; ++j) reduced[i * d_ + j] += factor * rows.entries[l * d_ + j];
+      }
+    if (r_ > 0 && kernel::exact_determinant(gram_matrix(reduced, r_), r_) == 0)
+      refuse("the lattice is singular on the grid of its coordinates");
+    set_.period = Period(nearest_doubles(reduced, rows.grid), r_, d_);
+    if (input_.is_exact && set_.displacement > 0)
+      refuse("the lattice is not on the grid of 2^" + std::to_string(grid_) +
+             ", and exact input was required");
+  }
+
+  void wrap_points() {
+    const std::size_t n = input_.points.size() / d_;
+    set_.rows.reserve(n * set_.row_size());
+    set_.wraps.assign(n * r_, 0);
+    std::vector<std::size_t> outside, displaced;
+    std::vector<double> x(d_);
+    internal::QuickRounds round;
+    for (std::size_t row = 0; row < n; ++row) {
+      round();
+      const double before = std::exchange(set_.displacement, 0.0);
+      for (std::size_t j = 0; j < d_; ++j)
+        x[j] = snapped(number_of(input_.points[row * d_ + j], "a coordinate"));
+      if (set_.displacement > 0) displaced.push_back(row);
+      set_.displacement = std::max(set_.displacement, before);
+      std::int32_t* const wraps = set_.wraps.data() + row * r_;
+      wrap(row, x, wraps);
+      if (std::any_of(wraps, wraps + r_, [](std::int32_t k) { return k != 0; })) outside.push_back(row);
+      for (const double coordinate : x) set_.rows.push_back(coordinate + 0.0);
+      if (set_.weighted) set_.rows.push_back(weight(row));
+    }
+    if (!input_.wraps && !outside.empty())
+      refuse("point " + std::to_string(outside.front()) + " is outside of the box" +
+                 internal::and_of_more(outside),
+             outside);
+    if (input_.is_exact && !displaced.empty())
+      refuse("point " + std::to_string(displaced.front()) + " is not on the grid of 2^" +
+                 std::to_string(grid_) + ", and exact input was required" + internal::and_of_more(displaced),
+             displaced);
+  }
+
+  double weight(std::size_t row) const {
+    const double w = input_.weights[row];
+    const double scaled = input_.unit > 0 ? w / input_.unit / input_.unit : std::ldexp(w, -2 * set_.scale);
+    if (!std::isfinite(scaled))
+      refuse("the weight of point " + std::to_string(row) + " is too large for the box", {row});
+    return scaled + 0.0;
+  }
+
+  /// Moves x into the box, exactly.
+  void wrap(std::size_t row, std::vector<double>& x, std::int32_t* wraps) const {
+    const Period& period = set_.period;
+    std::vector<std::int32_t> step(r_);
+    for (bool is_near = false; !is_near;) {
+      is_near = true;
+      for (std::size_t i = 0; i < r_; ++i) {
+        const double periods = std::floor(period.fraction(i, x.data()));
+        if (!(std::abs(periods + wraps[i]) < most_periods))
+          refuse("point " + std::to_string(row) + " is more than 2^29 periods away", {row});
+        step[i] = static_cast<std::int32_t>(periods);
+        is_near = is_near && std::abs(step[i]) <= period.reach(i);
+      }
+      subtract(step, is_near, x);
+      for (std::size_t i = 0; i < r_; ++i) wraps[i] += step[i];
+    }
+    for (std::size_t i = 0; i < r_; ++i) {
+      const double fraction = period.fraction(i, x.data()), slack = period.fraction_slack(i, x.data());
+      if (fraction > slack && fraction < 1 - slack) continue;
+      step.assign(r_, 0);
+      step[i] = static_cast<std::int32_t>(period.floor_of_fraction(i, x.data()));
+      subtract(step, true, x);
+      wraps[i] += step[i];
+    }
+  }
+
+  /// Far from the box the difference is made in integers.
+  void subtract(std::span<const std::int32_t> step, bool is_near, std::vector<double>& x) const {
+    for (std::size_t j = 0; j < d_; ++j) {
+      if (is_near) {
+        for (std::size_t i = 0; i < r_; ++i) x[j] -= step[i] * set_.period.vector(i)[j];
+        continue;
+      }
+      const int grid = grid_ - set_.scale;
+      Integer sum = kernel::scaled_integer(x[j], grid);
+      for (std::size_t i = 0; i < r_; ++i)
+        sum -= step[i] * kernel::scaled_integer(set_.period.vector(i)[j], grid);
+      x[j] = kernel::nearest_double(sum, 1, grid);
+    }
+  }
+
+  const SetInput& input_;
+  const std::size_t d_;
+  std::size_t r_ = 0;
+  int grid_ = 0;
+  std::vector<Integer> sums_;
+  PeriodicSet set_;
+};
+
+}  // namespace
+
+void PeriodicSet::to_given_basis(std::span<const std::int64_t> k, std::int32_t* given) const {
+  for (std::size_t j = 0; j < rank; ++j) {
+    std::int64_t sum = 0;  // of products below 2^61
+    for (std::size_t i = 0; i < rank; ++i) sum += k[i] * sums[i * rank + j];
+    if (sum != static_cast<std::int32_t>(sum))
+      throw Error(Errc::unsupported, "offsets of cells do not fit into 32 bits");
+    given[j] = static_cast<std::int32_t>(sum);
+  }
+}
+
+std::vector<double> PeriodicSet::given_points(std::span<const double> given) const {
+  std::vector<double> points;
+  points.reserve(given.size());
+  for (const double x : given)
+    points.push_back(unit > 0 ? std::nearbyint(x / unit) * unit
+                              : std::ldexp(std::nearbyint(std::ldexp(x, -grid)), grid));
+  return points;
+}
+
+PeriodicSet make_periodic_set(const SetInput& input) { return SetMaker(input).make(); }
+
+}  // namespace delone::periodic

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A periodic set: points and lattice on a grid, so that images of points are doubles without rounding, and
+// each point in the box of its lattice.
+//
+// Let all coordinates of images that are ever looked at (Period: the reach) be below 2^e. Coordinates and
+// lattice vectors become multiples of u = 2^(e−53): then a sum p + Σ k_i a_i is exact, whatever the order of
+// its terms. What lies on that grid is not changed.
+//
+// Numbers within a set are those of the caller, unless squares of coordinates could overflow or underflow, or
+// a unit is given: then they are multiples of 2^scale, or of the unit.
+#pragma once
+
+#include "periodic/period.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace delone::periodic {
+
+/// What a set is made of.
+struct SetInput {
+  std::span<const double> points;   ///< n×d
+  std::span<const double> weights;  ///< n, if points have weights
+  std::span<const double> lattice;  ///< r×d
+  std::size_t dimension = 0;
+  bool is_weighted = false;
+  bool is_exact = false;  ///< refuse what is not on the grid
+  bool wraps = true;      ///< move points into the box; otherwise refuse those outside
+  double unit = 0;        ///< 0: none
+};
+
+struct PeriodicSet {
+  std::size_t dimension = 0, rank = 0;
+  bool weighted = false;
+  Period period;                    ///< the reduced lattice
+  std::vector<double> lattice;      ///< r×d, the vectors of the caller on the grid
+  std::vector<std::int64_t> sums;   ///< r×r: how reduced vectors are sums of those
+  std::vector<double> rows;         ///< n times d coordinates and, if there are weights, one
+  std::vector<std::int32_t> wraps;  ///< n×r: the caller's point is the row plus Σ wraps_i a_i
+  std::vector<double> largest;      ///< d, bounds of |coordinates| of all images that are looked at
+  double displacement = 0;          ///< the most that a coordinate has moved, in numbers of the caller
+  int scale = 0;
+  int grid = 0;  ///< given numbers, or numbers of units, are rounded to multiples of 2^grid
+  double unit = 0;
+
+  std::size_t row_size() const { return dimension + (weighted ? 1 : 0); }
+  std::size_t num_points() const { return rows.size() / row_size(); }
+  const double* row(std::size_t i) const { return rows.data() + i * row_size(); }
+  /// A coordinate or length as a number of the caller, and back.
+  double outer(double x) const { return unit > 0 ? x * unit : std::ldexp(x, scale); }
+  double inner(double x) const { return unit > 0 ? x / unit : std::ldexp(x, -scale); }
+  /// The points, n×d, where they were given, on the grid, in numbers of the caller.
+  std::vector<double> given_points(std::span<const double> given) const;
+  /// Σ k_i a_i in terms of the caller's vectors, |k_i| < 2^32. Throws Errc::unsupported beyond 32 bits.
+  void to_given_basis(std::span<const std::int64_t> k, std::int32_t* given) const;
+};
+
+/// Throws Errc::not_finite; bad_dimension for a lattice that is no rows of d numbers and a wrong number of
+/// weights; invalid_argument for dependent lattice vectors, and for what the options refuse; unsupported.
+PeriodicSet make_periodic_set(const SetInput& input);
+
+}  // namespace delone::periodic

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""--lattice and --periodic of delone delaunay and delone regular."""
+import json
+import unittest
+
+from cli_support import Case, STATS, np
+
+POINTS = np.random.default_rng(5).random((60, 3)).astype(np.float32).astype(float)
+
+
+class Periodic(Case):
+    def stats(self, *arguments):
+        return json.loads(self.output("delaunay", self.file("points.npy", POINTS), *arguments, "--stats"))
+
+    def test_lattices_as_lengths_and_files(self):
+        plain = self.stats("--lattice", "1")
+        self.assertEqual(set(STATS) - set(plain), set())
+        self.assertEqual((plain["periodic_directions"], plain["displacement"], plain["vertices"]), (3, 0, 60))
+        self.assertEqual(self.stats("--lattice", "1,1,1")["hash"], plain["hash"])
+        self.assertEqual(self.stats("--lattice", self.file("box.csv", "1,0,0\n0,1,0\n3,0,1\n"))["hash"], plain["hash"])
+
+    def test_directions(self):
+        slab = self.stats("--lattice", "1,1,9", "--periodic", "xy")
+        self.assertEqual(slab["periodic_directions"], 2)
+        self.assertEqual(self.stats("--lattice", "1,1,9", "--periodic", "0,1")["hash"], slab["hash"])
+        for wrong in ("xx", "w", "3", "xw"):
+            self.run_delone("delaunay", self.file("points.npy", POINTS), "--lattice", "1", "--periodic", wrong, status=64)
+
+    def test_files_are_checked(self):
+        points, weights = self.file("points.npy", POINTS), self.file("weights.npy", POINTS[:, :1] / 50)
+        for name in ("t.npz", "t.json"):
+            self.output("regular", points, "--weights", weights, "--lattice", "1", "-o", self.path(name))
+            self.assertIn("a periodic regular triangulation of all its points", self.output("check", self.path(name)))
+            self.assertIn("lattice vectors", self.output("info", self.path(name)))
+        with np.load(self.path("t.npz")) as arrays:
+            damaged = dict(arrays)
+        damaged["cell_offsets"] = damaged["cell_offsets"] + (np.arange(12) == 4)
+        np.savez(self.path("damaged.npz"), **damaged)
+        self.run_delone("check", self.path("damaged.npz"), status=1)
+
+    def test_units_and_exact_input(self):
+        steps = np.arange(7) * 0.1
+        lattice = self.file("lattice.npy", np.stack(np.meshgrid(steps, steps, steps), axis=-1).reshape(-1, 3))
+        stats = json.loads(self.output("delaunay", lattice, "--lattice", "0.7", "--unit", "0.1", "--exact", "--stats"))
+        self.assertEqual((stats["cells"], stats["displacement"]), (6 * 343, 0))
+        self.complaint("delaunay", lattice, "--lattice", "0.7", "--exact")
+
+    def test_refusals(self):
+        points = self.file("points.npy", POINTS)
+        for arguments, status in ((["--lattice", "1,1"], 64), (["--lattice", "0,1,1"], 2), (["--lattice", "1", "-o", self.path("t.vtu")], 2),
+                                  (["--lattice", "1", "--trim", "0.1"], 64), (["--periodic", "x"], 64), (["--lattice", "none.csv"], 2)):
+            self.complaint("delaunay", points, *arguments, status=status)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Periodic triangulations: what may be a lattice, the arrays, files, pickles and refusals."""
+import pickle
+
+import numpy as np
+import pytest
+
+import delone
+
+points = np.random.default_rng(3).random((200, 3)).astype(np.float32).astype(float)
+vectors = np.array([[1, 0, 0], [0.25, 1, 0], [-0.375, 0.3125, 1]])
+
+
+def volumes(t):
+    corners = t.points[t.cells] + t.cell_offsets @ t.lattice
+    return np.linalg.det(corners[:, 1:] - corners[:, :1]) / 6
+
+
+def test_arrays():
+    t = delone.PeriodicDelaunay(points, vectors)
+    assert (t.dimension, t.affine_dimension, t.rank, t.num_points, t.num_vertices) == (3, 3, 3, 200, 200)
+    assert t.cells.shape == t.neighbors.shape == (t.num_cells, 4) and len(t) == t.num_cells
+    assert t.cell_offsets.shape == t.neighbor_offsets.shape == (t.num_cells, 4, 3)
+    assert t.cell_offsets.dtype == np.int32 and not t.cells.flags.writeable
+    assert t.displacement == 0.0
+    np.testing.assert_array_equal(t.points, points)
+    np.testing.assert_allclose(volumes(t).sum(), 1, rtol=1e-12)
+    assert (volumes(t) > 0).all()
+
+
+def test_neighbors_share_facets():
+    t = delone.PeriodicDelaunay(points[:20], vectors)
+    named = [[(row, *offset) for row, offset in zip(rows, offsets)] for rows, offsets in zip(t.cells.tolist(), t.cell_offsets.tolist())]
+    for cell, (across, shifts) in enumerate(zip(t.neighbors, t.neighbor_offsets)):
+        for i in range(4):
+            facet = set(named[cell]) - {named[cell][i]}
+            other = {(row, *(np.array(offset) + shifts[i])) for row, *offset in named[across[i]]}
+            assert facet <= other and named[cell][i] not in other
+
+
+def test_lattices():
+    cube = delone.PeriodicDelaunay(points, 1.0)
+    for lattice in (1, [1, 1, 1], np.eye(3), np.eye(3)[::-1], [[1, 0, 0], [3, 1, 0], [0, 0, 1]]):
+        assert delone.PeriodicDelaunay(points, lattice).hash == cube.hash
+    assert delone.PeriodicDelaunay(points + [1, -2, 3], 1).hash == cube.hash
+    slab = delone.PeriodicDelaunay(points, [1, 1, 7], axes=[0, 1])
+    assert slab.rank == 2 and (slab.neighbors < 0).any()
+    assert delone.PeriodicDelaunay(points, [1, 1, 7], [True, True, False]).hash == slab.hash
+    assert delone.PeriodicDelaunay(points, np.eye(3)[:2]).hash == slab.hash
+    assert delone.PeriodicDelaunay(points, [1, 1, 7], axes=[]).num_cells == delone.Delaunay(points).num_cells
+
+
+class Cell:
+    """As that of ASE."""
+
+    cellpar = None
+
+    def __init__(self, rows):
+        self.rows = np.array(rows, dtype=float)
+
+    def __array__(self, dtype=None, copy=None):
+        return self.rows
+
+
+class Atoms:
+    def __init__(self, cell, pbc):
+        self.cell, self.pbc = cell, pbc
+
+
+def test_ase():
+    slab = delone.PeriodicDelaunay(points, [1, 1, 1], axes=[0, 1])
+    assert delone.PeriodicDelaunay(points, Cell([[1, 0, 0], [0, 1, 0], [0, 0, 0]])).hash == slab.hash
+    assert delone.PeriodicDelaunay(points, Atoms(Cell(np.eye(3)), [True, True, False])).hash == slab.hash
+
+
+def test_weights():
+    weights = np.where(np.arange(200) % 2 == 0, 0.01, 0.0)
+    t = delone.PeriodicRegular(points, weights, 1.0)
+    assert t.num_hidden == (t.vertex_of_point < 0).sum() > 0
+    np.testing.assert_array_equal(t.weights, weights)
+    assert delone.PeriodicRegular(points, np.zeros(200), 1.0).hash == delone.PeriodicDelaunay(points, 1.0).hash
+
+
+def test_duplicates_and_few_points():
+    t = delone.PeriodicDelaunay([[0.5, 0.5], [1.5, -0.5]], 1.0)
+    assert (t.num_vertices, t.num_duplicates, t.num_cells, t.is_simplicial) == (1, 1, 2, False)
+    assert t.point_offsets.tolist() == [[0, 0], [1, -1]]
+
+
+def test_units():
+    steps = np.arange(5) * 0.1
+    lattice = np.stack(np.meshgrid(steps, steps), axis=-1).reshape(-1, 2)
+    assert 0 < delone.PeriodicDelaunay(lattice, 0.5).displacement < 1e-15
+    assert delone.PeriodicDelaunay(lattice, 0.5, unit=0.1, exact=True).num_cells == 50
+    with pytest.raises(delone.InputError, match="grid"):
+        delone.PeriodicDelaunay(lattice, 0.5, exact=True)
+
+
+@pytest.mark.parametrize("format", ["npz", "json"])
+def test_files(tmp_path, format):
+    for t in (delone.PeriodicDelaunay(points, vectors), delone.PeriodicRegular(points, points[:, 0] / 100, vectors, axes=[0, 2])):
+        path = tmp_path / ("t." + format)
+        t.save(path)
+        data = delone.read(path)
+        assert data.kind == ("periodic_regular" if isinstance(t, delone.PeriodicRegular) else "periodic_delaunay")
+        np.testing.assert_array_equal(data.lattice, t.lattice)
+        np.testing.assert_array_equal(data.cell_offsets.reshape(t.cell_offsets.shape), t.cell_offsets)
+        report = delone.check(data)
+        assert report and report.level == 6
+    with pytest.raises(delone.Error):
+        t.save(tmp_path / "t.vtu")
+
+
+def test_pickles():
+    for t in (delone.PeriodicDelaunay(points, vectors, axes=[1]), delone.PeriodicRegular(points, points[:, 0] / 100, 1.0)):
+        again = pickle.loads(pickle.dumps(t))
+        assert type(again) is type(t) and again.hash == t.hash
+        np.testing.assert_array_equal(again.cells, t.cells)
+
+
+@pytest.mark.parametrize("lattice, axes, error, text", [
+    ([1, 1], None, ValueError, "lattice"), (np.ones((3, 3)), None, delone.InputError, "singular"), (np.zeros((4, 3)), None, ValueError, "lattice"),
+    ([1, 0, 1], None, delone.InputError, "lattice vector 1 is zero"), (np.nan, None, delone.InputError, "not finite"),
+    (1, [0, 0], ValueError, "once"), (1, [3], ValueError, "axes"), (1, [True], ValueError, "flags"), (1, ["x"], TypeError, "axes")])
+def test_refusals(lattice, axes, error, text):
+    with pytest.raises(error, match=text):
+        delone.PeriodicDelaunay(points, lattice, axes)
+
+
+def test_other_refusals():
+    with pytest.raises(delone.InputError, match="outside") as caught:
+        delone.PeriodicDelaunay([[0.5, 0.5], [1.5, 0]], 1, wrap=False)
+    assert list(caught.value.rows) == [1]
+    with pytest.raises(ValueError, match="weights"):
+        delone.PeriodicRegular(points, [1, 2], 1)
+    with pytest.raises(ValueError, match="unit"):
+        delone.PeriodicDelaunay(points, 1, unit=0)
+
+
+def test_interrupt():
+    with pytest.raises(delone.CancelledError):
+        delone.PeriodicDelaunay(np.random.default_rng(0).random((50000, 3)), 1, progress=lambda fraction: False)
