@@ -55,7 +55,7 @@ class CellClipper {
   Container container_;
   voronoi::RegionClipper clipper_;
   std::vector<voronoi::RegionClipper::Site> others_;
-  voronoi::SimplePolytope::Measures measures_;
+  solve::SimplePolytope::Measures measures_;
   std::vector<ClippedFace> faces_;
 };
 

@@ -154,12 +154,14 @@ SimplePolytope::Face SimplePolytope::find_face(std::size_t dimension, std::size_
 /// An edge has two corners; most faces are edges.
 SimplePolytope::Face SimplePolytope::measure_edge(std::size_t first, std::size_t last) {
   const std::size_t origin = face_[first];
-  if (last - first < 2) return {0, origin, 0};
+  if (last - first < 2) return {0, origin, 0, 0};
   const double length = height(face_[first + 1], {1, origin, bases_.size()}, 0);
-  if (!(length > 0)) return {0, origin, 0};
-  const std::size_t basis = bases_.size();
+  if (!(length > 0)) return {0, origin, 0, 0};
+  const std::size_t basis = bases_.size(), at = centroids_.size();
   bases_.insert(bases_.end(), normal_.begin(), normal_.end());
-  return {length, origin, basis};
+  for (std::size_t j = 0; with_centroids_ && j < d_; ++j)
+    centroids_.push_back((x_[origin][j] * scale_ + x_[face_[first + 1]][j] * scale_) / 2);
+  return {length, origin, basis, at};
 }
 
 SimplePolytope::Face SimplePolytope::measure_face(std::size_t dimension, std::size_t first,

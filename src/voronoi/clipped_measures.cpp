@@ -7,7 +7,7 @@
 
 namespace delone::voronoi {
 
-SimplePolytope::Measures RegionClipper::measures() {
+solve::SimplePolytope::Measures RegionClipper::measures() {
   polytope_.start(d_, d_);
   for (const Corner c : corners()) polytope_.add_corner(position(c), {planes_of(c), d_});
   return polytope_.measures();

@@ -38,7 +38,7 @@ class RegionClipper {
   double volume();
   /// The volume, the centroid less the site, and the facets of the clipped region, labelled by planes. Some
   /// facets have no area if more planes than d meet in a corner.
-  SimplePolytope::Measures measures();
+  solve::SimplePolytope::Measures measures();
   /// The planes of the facets that are not smaller than that, decided exactly, with the numbers of their
   /// corners. None if the region has no interior. REQUIRES d ≤ 3.
   struct ProperFacet {
