@@ -133,6 +133,13 @@ trixie:               ## build a wheel of the committed tree in a Debian 13 in b
 	tools/install_dependencies.sh packages
 	tools/other_debian.py trixie
 
+octave:               ## build the Octave package on an installed C library in build/release/octave, and run its tests and Octave's own
+	tools/install_dependencies.sh octave
+	cmake --preset release $(launcher) >/dev/null
+	cmake --build --preset release -j $(jobs)
+	cmake --install build/release --prefix build/release/octave/prefix >/dev/null
+	python3 -B tests/octave/run.py build/release
+
 bench: python         ## time the standard constructions, in some minutes
 	tools/install_dependencies.sh bench
 	python3 benchmarks/construction.py build/release/delone

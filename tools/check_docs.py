@@ -5,6 +5,9 @@
 Usage: check_docs.py BUILD_DIR [--compiler CXX] [--c-compiler CC] [--python PYTHON]
                                    BUILD_DIR holds libdelone, libdelone_c and the command, and for PYTHON the module;
                                    without PYTHON its examples are left out
+       check_docs.py BUILD_DIR --octave FOLDER ... --only docs/octave.md
+                                   the same for one document; the FOLDERs hold the installed Octave package, without
+                                   which its examples are left out
        check_docs.py --prose       only measures prose, follows links and looks for the files named; needs no build
        check_docs.py --self-test   shows that each rule of prose finds what it should
 
@@ -12,7 +15,7 @@ In README.md and docs/*.md a comment line directly before a fenced block says wh
   <!-- run -->             a ```cpp or ```c block is a complete program, compiled and run; a ```sh block is run by bash -e in a
                            folder that has data/, with the command on the PATH. Python finds the shared library of the
                            C interface by its name. All blocks of one file share that folder. The ```python
-                           blocks of one file are one session.
+                           blocks of one file are one session, each ```octave block is one of its own.
   <!-- run: status 2 -->   the same, and it must end with this exit status
   <!-- output -->          the block is what the last run block printed (standard output, then standard error);
                            "…" in a line stands for any text, a line "…" for any lines
@@ -115,8 +118,9 @@ for line in sys.stdin:
 class Runner:
     """Runs the blocks of one file in a scratch folder."""
 
-    def __init__(self, build, compilers, python, scratch):
+    def __init__(self, build, compilers, python, octave, scratch):
         self.build, self.compilers, self.python, self.scratch, self.programs = build, compilers, python, scratch, 0
+        self.octave = octave
         self.session = None
         (scratch / "data").symlink_to(ROOT / "data")
         (scratch / "include").symlink_to(ROOT / "include")
@@ -154,8 +158,12 @@ class Runner:
         elif language == "python":
             self.session = self.session or PythonSession(self.python, self.scratch, self.environment)
             return self.session.run(body)
+        elif language == "octave":
+            program = self.scratch / "program.m"
+            program.write_text("".join(f'addpath ("{folder}");\n' for folder in self.octave) + body, encoding="utf-8")
+            command = ["octave-cli", "--norc", "--no-history", str(program)]
         else:
-            raise DocsError(f"marked to run, but its language is '{language}' and not cpp, c, sh or python")
+            raise DocsError(f"marked to run, but its language is '{language}' and not cpp, c, sh, python or octave")
         done = subprocess.run(command, cwd=self.scratch, env=self.environment, stdin=subprocess.DEVNULL, capture_output=True,
                               text=True, timeout=300)
         return done.returncode, done.stdout + done.stderr
@@ -169,7 +177,7 @@ def matches(expected, actual):
     return re.fullmatch("".join(lines), actual.rstrip("\n") + "\n") is not None
 
 
-def check_blocks(path, build, compilers, python, faults):
+def check_blocks(path, build, compilers, interpreters, faults):
     """Runs the marked blocks of a file and adds to `faults`. Returns how many blocks were run and how many were left out."""
     text = path.read_text(encoding="utf-8")
     count, left_out, output = 0, 0, None
@@ -185,12 +193,12 @@ def check_blocks(path, build, compilers, python, faults):
                     if not matches(block["body"], output):
                         raise DocsError(f"the output is not what is documented.\n--- documented\n{block['body']}--- actual\n{output}")
                     continue
-                if block["language"] == "python" and not python:
+                if block["language"] in interpreters and not interpreters[block["language"]]:
                     left_out, output = left_out + 1, LEFT_OUT
                     continue
                 count += 1
                 output = ""
-                runner = runner or Runner(build, compilers, python, pathlib.Path(scratch))
+                runner = runner or Runner(build, compilers, interpreters["python"], interpreters["octave"], pathlib.Path(scratch))
                 status, output = runner.run(block["language"], block["body"])
                 if status != int(block["status"] or 0):
                     raise DocsError(f"ended with exit status {status}, expected {block['status'] or 0}\n{output}")
@@ -328,6 +336,8 @@ def main():
     parser.add_argument("--compiler", default=os.environ.get("CXX") or shutil.which("c++") or "c++")
     parser.add_argument("--c-compiler", default=os.environ.get("CC") or shutil.which("cc") or "cc")
     parser.add_argument("--python", help="a Python for which BUILD_DIR/python holds the module")
+    parser.add_argument("--octave", nargs="+", help="the folders of the installed Octave package")
+    parser.add_argument("--only", help="the one document to check")
     parser.add_argument("--prose", action="store_true", help="only measure prose, follow links and look for files")
     parser.add_argument("--self-test", action="store_true", help="only show that the rules of prose find what they should")
     arguments = parser.parse_args()
@@ -339,13 +349,16 @@ def main():
     faults, blocks, left_out = [], 0, 0
     for path in documents():
         name = path.relative_to(ROOT).as_posix()
+        if arguments.only not in (None, name):
+            continue
         faults += broken_links(path)
         if not name.startswith("benchmarks/history/"):  # records name the files of their day
             faults += missing_files(name, path.read_text(encoding="utf-8"))
         faults += prose_faults(name, path.read_text(encoding="utf-8"))
         if not arguments.prose:
             compilers = {"cpp": arguments.compiler, "c": arguments.c_compiler}
-            run, not_run = check_blocks(path, arguments.build.resolve(), compilers, arguments.python, faults)
+            interpreters = {"python": arguments.python, "octave": arguments.octave}
+            run, not_run = check_blocks(path, arguments.build.resolve(), compilers, interpreters, faults)
             blocks, left_out = blocks + run, left_out + not_run
     if blocks == 0 and not faults and not arguments.prose:
         faults.append("no runnable block was found: the marks have changed")
