@@ -140,6 +140,12 @@ octave:               ## build the Octave package on an installed C library in b
 	cmake --install build/release --prefix build/release/octave/prefix >/dev/null
 	python3 -B tests/octave/run.py build/release
 
+r:                    ## check the R package on an installed C library in build/release/r, and run the tests of package geometry with it
+	tools/install_dependencies.sh r
+	cmake --preset release $(launcher) >/dev/null
+	cmake --build --preset release -j $(jobs)
+	python3 -B tests/r/run.py build/release
+
 bench: python         ## time the standard constructions, in some minutes
 	tools/install_dependencies.sh bench
 	python3 benchmarks/construction.py build/release/delone

@@ -3,7 +3,6 @@
 
 #include "options.hpp"
 
-#include <delone/convex_hulls.hpp>
 #include <delone/io.hpp>
 
 #include <memory>
@@ -125,31 +124,6 @@ int delone_convex_hull(const double* points, std::size_t num_points, int dimensi
     how.axis_tolerances = given(options).axis_tolerances;
     return std::make_unique<MadeHull>(
         ConvexHull<>(view_of(points, num_points, dimension, "points"), dimension, how));
-  });
-}
-
-int delone_convex_hulls(const double* points, std::size_t num_points, int dimension,
-                        const std::size_t* offsets, std::size_t num_sets, const delone_options* options,
-                        delone_object** object) {
-  return make(object, [&] {
-    const PointsView view = view_of(points, num_points, dimension, "points");
-    required(offsets, "offsets");
-    if (num_sets == SIZE_MAX) throw Error(Errc::too_many, "there is no memory for that many sets");
-    ConvexHulls hulls = convex_hulls(view, dimension, matrix(offsets, num_sets + 1, 1, "offsets"),
-                                     without_tolerance(options));
-    auto results = std::make_unique<Results>("convex_hulls");
-    results->add("dimension", std::int64_t{dimension});
-    results->add("num_hulls", static_cast<std::int64_t>(hulls.size()));
-    results->add("affine_dimensions", std::move(hulls.affine_dimensions));
-    results->add("vertex_offsets", hulls.vertex_offsets);
-    results->add("cell_offsets", hulls.cell_offsets);
-    results->add("vertices", std::move(hulls.vertices));
-    results->add("cells", std::move(hulls.cells), dimension);
-    results->add("neighbors", std::move(hulls.neighbors), dimension);
-    results->add("equations", std::move(hulls.equations), dimension + 1);
-    results->add("volumes", std::move(hulls.volumes));
-    results->add("areas", std::move(hulls.areas));
-    return results;
   });
 }
 

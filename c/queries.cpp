@@ -33,6 +33,12 @@ struct Answers {
   double *barycentric, *distances;
 };
 
+void put(const std::vector<Location::Kind>& kinds, const std::vector<SignedIndex>& cells, const Answers& to) {
+  std::ranges::copy(cells, to.cells);
+  std::ranges::transform(kinds, to.kinds,
+                         [](Location::Kind kind) { return static_cast<std::uint8_t>(kind); });
+}
+
 void locate(const MadeTriangulation& in, std::span<const double> queries, const delone_options* options,
             const Answers& to) {
   const std::size_t count = queries.size() / static_cast<std::size_t>(in.dimension()),
@@ -43,9 +49,24 @@ void locate(const MadeTriangulation& in, std::span<const double> queries, const 
   if (to.barycentric != nullptr) arrays.barycentric = {to.barycentric, count * width};
   if (to.distances != nullptr) arrays.distances = {to.distances, count};
   in.locator().locate(queries, locate_options(options), in.numbers(), arrays);
-  std::ranges::copy(cells, to.cells);
-  std::ranges::transform(kinds, to.kinds,
-                         [](Location::Kind kind) { return static_cast<std::uint8_t>(kind); });
+  put(kinds, cells, to);
+}
+
+void locate(const GivenTriangulation& in, std::span<const double> queries, const delone_options* options,
+            const Answers& to) {
+  const LocateOptions how = locate_options(options);
+  if (how.tolerance != 0 || how.project)
+    throw Error(Errc::unsupported,
+                "cells that were given are located without a tolerance and without projection");
+  const std::size_t count = queries.size() / static_cast<std::size_t>(in.dimension()),
+                    width = static_cast<std::size_t>(in.dimension() + 1);
+  std::vector<Location::Kind> kinds(to.kinds == nullptr ? 0 : count);
+  std::vector<SignedIndex> cells(to.cells == nullptr ? 0 : count);
+  LocatedArrays arrays{.kinds = kinds, .cells = cells};
+  if (to.barycentric != nullptr) arrays.barycentric = {to.barycentric, count * width};
+  if (to.distances != nullptr) arrays.distances = {to.distances, count};
+  in.search().locate(queries, arrays, execution(options));
+  put(kinds, cells, to);
 }
 
 std::uint8_t kind_of(const Containment& where) {
@@ -124,6 +145,10 @@ int delone_locate(const delone_object* object, const double* queries, std::size_
       const PointsView points = view_of(queries, num_queries, made->triangulation().dimension(), "queries");
       return locate(*made, points.coordinates(), options, {cells, kinds, barycentric, distances});
     }
+    if (const auto* const cells_of = dynamic_cast<const GivenTriangulation*>(object)) {
+      const PointsView points = view_of(queries, num_queries, cells_of->dimension(), "queries");
+      return locate(*cells_of, points.coordinates(), options, {cells, kinds, barycentric, distances});
+    }
     require_none(barycentric, "barycentric");
     require_none(distances, "distances");
     if (const auto* const made = dynamic_cast<const EnvelopeObject*>(object)) {
@@ -137,7 +162,7 @@ int delone_locate(const delone_object* object, const double* queries, std::size_
       return;
     }
     const ConvexHull<>& hull =
-        as<const MadeHull>(object, "a triangulation, convex hull, lower or upper hull that was made").hull();
+        as<const MadeHull>(object, "a triangulation, or a convex, lower or upper hull that was made").hull();
     const PointsView points = view_of(queries, num_queries, hull.dimension(), "queries");
     for (std::size_t i = 0; i < num_queries; ++i) {
       cancellation_point();
@@ -168,9 +193,19 @@ int delone_nearest(const delone_object* triangulation, const double* queries, st
 int delone_cells_within(const delone_object* triangulation, const double* queries, std::size_t num_queries,
                         double radius, const delone_options* options, delone_object** lists) {
   return make(lists, [&] {
+    std::vector<std::vector<std::int64_t>> found(num_queries);
+    if (const auto* const given = dynamic_cast<const GivenTriangulation*>(triangulation)) {
+      const PointsView points = view_of(queries, num_queries, given->dimension(), "queries");
+      given->search().find(
+          points.coordinates(), radius,
+          [&](std::size_t i, std::span<const SignedIndex> cells) {
+            found[i].assign(cells.begin(), cells.end());
+          },
+          execution(options));
+      return lists_of("cells", found);
+    }
     const MadeTriangulation& of = as_made(triangulation);
     const PointsView points = view_of(queries, num_queries, of.triangulation().dimension(), "queries");
-    std::vector<std::vector<std::int64_t>> found(num_queries);
     const CellNumbers& numbers = of.numbers();
     of.locator().cells_within(
         points.coordinates(), radius,

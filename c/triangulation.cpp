@@ -4,7 +4,6 @@
 #include "options.hpp"
 
 #include <delone/io.hpp>
-#include <delone/trim.hpp>
 
 #include <algorithm>
 #include <array>
@@ -47,6 +46,14 @@ const std::string& GivenTriangulation::hash() const {
   return hash_.get([&] { return canonical_hash(data_).hex(); });
 }
 
+const CellSearch& GivenTriangulation::search() const {
+  if (data_.affine_dimension != data_.dimension)
+    throw Error(Errc::unsupported, "cells of dimension " + std::to_string(data_.affine_dimension) +
+                                       " are not searched in a space of dimension " +
+                                       std::to_string(data_.dimension));
+  return search_.get([&] { return CellSearch({data_.points, data_.dimension}, data_.cells); });
+}
+
 MadeTriangulation::MadeTriangulation(AnyTriangulation any, unsigned threads)
     : product_(std::make_shared<Product>(std::move(any))), threads_(threads) {}
 
@@ -65,6 +72,7 @@ const Members& MadeTriangulation::members() const {
   static const Members all =
       members_of_data() +
       Members{
+          member<Made>("num_rows", [](const Made& o) { return o.product_->common().num_rows(); }),
           member<Made>("num_vertices", [](const Made& o) { return o.product_->common().num_vertices(); }),
           member<Made>("num_duplicates", [](const Made& o) { return o.product_->common().num_duplicates(); }),
           member<Made>("num_hidden", [](const Made& o) { return o.product_->common().num_hidden(); }),
@@ -159,6 +167,30 @@ void MadeTriangulation::insert(const double* rows, std::size_t num_rows, const d
       product_->any);
 }
 
+void MadeTriangulation::remove(std::span<const std::size_t> rows) {
+  const AtEnd changed([&] { forget(); });
+  std::visit([&](auto& one) { one.remove(rows); }, product_->any);
+}
+
+void MadeTriangulation::change(std::span<const std::size_t> rows, const double* to, const double* weights) {
+  const int d = product_->common().dimension();
+  const std::span<const double> points =
+      to == nullptr ? std::span<const double>() : view_of(to, rows.size(), d, "to").coordinates();
+  const std::span<const double> of_rows =
+      weights == nullptr ? std::span<const double>() : matrix(weights, rows.size(), 1, "weights");
+  const AtEnd changed([&] { forget(); });
+  std::visit(
+      [&](auto& one) {
+        Edit<> edit;
+        if (to != nullptr) edit.move = rows;
+        edit.to = PointsView(points, d);
+        if (weights != nullptr) edit.reweight = rows;
+        edit.weights = of_rows;
+        one.edit(edit);
+      },
+      product_->any);
+}
+
 }  // namespace delone::c
 
 using namespace delone;
@@ -197,22 +229,6 @@ int delone_regular(const double* points, const double* weights, std::size_t num_
         Regular<>(view_of(points, num_points, dimension, "points"), matrix(weights, num_points, 1, "weights"),
                   dimension, how),
         how.threads);
-  });
-}
-
-int delone_trim(const delone_object* triangulation, double tolerance, delone_object** object) {
-  return make(object, [&] {
-    const auto result = std::make_shared<TrimResult>(trim(as_made(triangulation).triangulation(), tolerance));
-    ComplexData data = std::move(result->data);
-    return std::make_unique<GivenTriangulation>(
-        std::move(data),
-        Members{
-            {"kept", DELONE_ARRAY, [result](const delone_object&) -> Value { return list(result->kept); }},
-            {"orphans", DELONE_ARRAY,
-             [result](const delone_object&) -> Value { return list(result->orphans); }},
-            {"depth", DELONE_REAL, [result](const delone_object&) -> Value { return result->depth; }},
-            {"lost_volume", DELONE_REAL,
-             [result](const delone_object&) -> Value { return result->lost_volume; }}});
   });
 }
 

@@ -5,6 +5,7 @@
 #include "object.hpp"
 
 #include <delone/cell_numbers.hpp>
+#include <delone/cell_search.hpp>
 #include <delone/data.hpp>
 #include <delone/delaunay.hpp>
 #include <delone/furthest_site.hpp>
@@ -50,11 +51,14 @@ class GivenTriangulation final : public TriangulationObject {
   const Members& members() const override { return members_; }
   const ComplexData& data() const override { return data_; }
   const std::string& hash() const override;
+  /// Throws unsupported unless the cells have the dimension of the space.
+  const CellSearch& search() const;
 
  private:
   ComplexData data_;
   Members members_;
   Lazy<std::string> hash_;
+  Lazy<CellSearch> search_;
 };
 
 using AnyTriangulation = std::variant<Delaunay<>, Regular<>, FurthestSite<>>;
@@ -79,6 +83,9 @@ class MadeTriangulation final : public TriangulationObject {
   const Members& members() const override;
   std::unique_ptr<delone_object> clone() const override;
   void insert(const double* rows, std::size_t num_rows, const double* weights) override;
+  void remove(std::span<const std::size_t> rows);
+  /// Gives rows other points and weights, of which one may be empty.
+  void change(std::span<const std::size_t> rows, const double* to, const double* weights);
   const ComplexData& data() const override { return ready().data; }
   const std::string& hash() const override;
   int dimension() const override { return product_->common().dimension(); }

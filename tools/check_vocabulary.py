@@ -11,7 +11,7 @@ Every spelling in backquotes in the table of names must exist:
            values; another word: one in quotes in cli/, such as a member of --stats
   Python   `Class`, `Class.member`: in the stubs of delone (not of delone.spatial), bases included; `name`: an argument or a
            member; `argument="value"`: a value the stubs allow
-Those of the section "In Octave" must be functions of the package.
+Those of the sections "In Octave" and "In R" must be functions of these packages.
 Names that were retired (RETIRED below) must not come back. Prints every fault, and exits with status 1 if there is one.
 """
 import ast
@@ -153,6 +153,14 @@ def faults_of_octave(text, functions):
             yield text.count("\n", 0, section.start() + found.start()) + 1, f"Octave `delone.{found[1]}`: there is no such function"
 
 
+def faults_of_r(text, functions):
+    """`functions`: the names of those of the package."""
+    section = re.search(r"^## In R$.*?(?=^## |\Z)", text, re.M | re.S)
+    for found in re.finditer(r"`([\w.]+)\(\)`", section[0] if section else ""):
+        if found[1] not in functions:
+            yield text.count("\n", 0, section.start() + found.start()) + 1, f"R `{found[1]}()`: there is no such function"
+
+
 def retired_in(path, text, retired=None):
     """(line number, fault) for every retired name in the file at `path`."""
     for pattern, places, exempt, instead in RETIRED if retired is None else retired:
@@ -181,6 +189,9 @@ def faults():
     for number, fault in faults_of_table(table, *checkers):
         yield f"{TABLE}:{number}: {fault}"
     for number, fault in faults_of_octave(table, {file.stem for file in (ROOT / "octave/inst/+delone").glob("*.m")}):
+        yield f"{TABLE}:{number}: {fault}"
+    exported = re.findall(r"^export\(([^)]*)\)", (ROOT / "r/NAMESPACE").read_text(encoding="utf-8"), re.M)
+    for number, fault in faults_of_r(table, {name for line in exported for name in line.split(", ")}):
         yield f"{TABLE}:{number}: {fault}"
     for top in ("include", "src", "c", "cli", "python", "examples", "tests", "docs", "tools", "README.md"):
         for file in [ROOT / top] if (ROOT / top).is_file() else sorted((ROOT / top).rglob("*")):
@@ -212,6 +223,8 @@ def self_test():
     assert len(list(faults_of_table(table.format("`Sides`"), cpp, command, python))) == 1
     in_octave = "`delone.old`\n## In Octave\n`delone.hull`\n`delone.ball`\n## Else\n`delone.other`\n"
     assert [number for number, _ in faults_of_octave(in_octave, {"hull"})] == [4]
+    in_r = "`old()`\n## In R\n`hull()`\n`ball()`\n## Else\n`other()`\n"
+    assert [number for number, _ in faults_of_r(in_r, {"hull"})] == [4]
     assert list(faults_of_table("nothing", cpp, command, python))
     retired = [(r"\bgiven\b", ["docs/**/*", "cli/*"], ["docs/old.md"], "as_given")]
     assert len(list(retired_in("docs/a/b.md", "x\nas given\n", retired))) == 1

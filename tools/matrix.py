@@ -26,6 +26,7 @@ KINDS = {
     "mingw": "Windows by MinGW-w64, under Wine",
     "tsan": "ThreadSanitizer, tests with threads",
     "mpi": "tests of delone::mpi at full size",
+    "r": "the R package, with the tests of package geometry",
     "wheels": "source distribution, wheel, clean environment",
     "trixie": "Debian 13: Python 3.13, NumPy 2, g++ 14",
     "packages": "Debian packages in a clean system",
@@ -46,7 +47,7 @@ class Outcome:
 
 
 def count_tests(text):
-    """How many tests passed, as ctest, pytest and unittest say it."""
+    """How many tests passed, as ctest, pytest, unittest and testthat say it."""
     passed = total = 0
     for failed, of in re.findall(r"^\d+% tests passed, (\d+) tests failed out of (\d+)", text, re.M):
         passed, total = passed + int(of) - int(failed), total + int(of)
@@ -55,6 +56,10 @@ def count_tests(text):
         passed, total = passed + counts.get("passed", 0), total + sum(counts.values())
     for number, failures in re.findall(r"^Ran (\d+) tests? in .*\n\n(?:OK|FAILED \(failures=(\d+)\))", text, re.M):
         passed, total = passed + int(number) - min(int(failures or 0), int(number)), total + int(number)
+    for failures, successes in re.findall(r"^\[ FAIL (\d+) \| .* PASS (\d+) \]", text, re.M):
+        passed, total = passed + int(successes), total + int(failures) + int(successes)
+    for successes, failures in re.findall(r"^(\d+) passed, (\d+) failed$", text, re.M):
+        passed, total = passed + int(successes), total + int(failures) + int(successes)
     return f"{passed}/{total}" if total else "–"
 
 

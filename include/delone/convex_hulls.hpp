@@ -2,6 +2,7 @@
 // The convex hulls of many sets of points at once.
 #pragma once
 
+#include <delone/execution.hpp>
 #include <delone/export.hpp>
 #include <delone/options.hpp>
 #include <delone/points.hpp>
@@ -36,10 +37,23 @@ struct ConvexHulls {
 };
 
 /// The hulls of sets of points. Set i consists of the rows offsets[i] … offsets[i+1]−1. As exact as
-/// ConvexHull; a loop over small sets takes several times as long. Throws Errc::invalid_argument unless the
-/// offsets never decrease and run from 0 to the number of points, otherwise as ConvexHull; rows in errors are
-/// numbered over all points.
+/// ConvexHull; a loop over small sets takes several times as long. Several threads share the sets. Throws
+/// Errc::invalid_argument unless the offsets never decrease and run from 0 to the number of points, otherwise
+/// as ConvexHull; rows in errors are numbered over all points.
 DELONE_EXPORT ConvexHulls convex_hulls(const AnyPoints<>& points, int dimension,
                                        std::span<const std::size_t> offsets, const Options& options = {});
+
+/// The volumes of the intersections of two hulls each: of hulls pairs[0] and pairs[1], pairs[2] and pairs[3],
+/// and so on. `points` are those that the hulls were made of. A hull is here the intersection of the
+/// halfspaces of its equations, which are rounded; of these the combinatorics of an intersection are exact,
+/// and the volume is summed up over its faces. So a volume is off by some roundings of the sizes of the
+/// hulls. 0 with a flat hull.
+///
+/// Cost of a pair: one insertion for each facet of both, of the one without those that do not cut the other.
+/// Throws Errc::invalid_argument (a number of a hull that there is not, a half of a pair), bad_dimension,
+/// too_many, out_of_memory, cancelled.
+DELONE_EXPORT std::vector<double> intersection_volumes(const AnyPoints<>& points, const ConvexHulls& hulls,
+                                                       std::span<const std::size_t> pairs,
+                                                       const Execution& how = {});
 
 }  // namespace delone

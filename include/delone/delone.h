@@ -154,15 +154,18 @@ DELONE_C_API int delone_set_text(delone_options* options, const char* name, cons
  * are of doubles or of ids (see delone_index_bytes()), others as marked.
  *
  * "delaunay", "regular", "furthest_site"; "triangulation" (read, given or trimmed)
- *   integer  dimension+ affine_dimension+ num_points+ num_cells+ num_vertices num_duplicates num_hidden
- *            num_infinite_cells
+ *   integer  dimension+ affine_dimension+ num_points+ num_cells+ num_rows num_vertices num_duplicates
+ *            num_hidden num_infinite_cells; num_points does not count removed rows, num_rows does
  *   text     hash+: 32 hexadecimal digits that depend on vertices and cells only
  *            kind+: "delaunay", "regular", "furthest_site", "alpha_complex", "alpha_boundary", "trimmed",
  *            "lower_hull", "upper_hull", "hull_boundary"; "" if that is unknown
  *   array    points+ n x d; weights+ n (regular); cells+ m x (k+1) rows, positively oriented when k = d;
  *            neighbors+ m x (k+1) cells: number i is opposite vertex i, -1 outside the hull;
  *            vertex_of_point+ n rows, -1: hidden; edges e x 2 rows; hull_facets h x k rows; axes k (int32)
+ *            Removed rows have points that are NaN, and no vertex.
  *   trimmed: array kept (uint8), of each cell of the whole; orphans; real depth, lost_volume
+ *   alpha_complex: array cell_numbers: the cells in the whole; boundary b x k rows, boundary_cells b;
+ *            singular_facets s x k rows
  *
  * "convex_hull"; "hull" (read)
  *   integer  dimension+ affine_dimension+ num_points+ num_cells+ num_facets+ num_ridges+ num_vertices+
@@ -177,7 +180,7 @@ DELONE_C_API int delone_set_text(delone_options* options, const char* name, cons
  *
  * "convex_hulls"
  *   integer  dimension num_hulls
- *   array    affine_dimensions h (int32); vertex_offsets h+1, cell_offsets h+1 (int64); vertices;
+ *   array    points n x d; affine_dimensions h (int32); vertex_offsets h+1, cell_offsets h+1 (int64); vertices;
  *            cells m x d; neighbors m x d; equations m x (d+1); volumes h; areas h
  *
  * "lower_hull", "upper_hull"; c is the affine dimension of the compositions
@@ -290,6 +293,13 @@ DELONE_C_API int delone_convex_hulls(const double* points, size_t num_points, in
                                      const size_t* offsets, size_t num_sets, const delone_options* options,
                                      delone_object** object);
 
+/* The volumes of the intersections of hulls, two each, of "convex_hulls": num_pairs x 2 numbers of hulls,
+ * from 0. A volume is off by some roundings of the sizes of the hulls; 0 with a flat hull. Option: threads.
+ * Errors: INVALID_ARGUMENT for a hull that there is not, OUT_OF_MEMORY, CANCELLED. */
+DELONE_C_API int delone_intersection_volumes(const delone_object* hulls, const int64_t* pairs,
+                                             size_t num_pairs, const delone_options* options,
+                                             double* volumes);
+
 /* The lower (upper) part of the convex hull with respect to the last coordinate, the height; the others are
  * the composition. d >= 2. Options and errors as for the convex hull. */
 DELONE_C_API int delone_lower_hull(const double* points, size_t num_points, int dimension,
@@ -315,6 +325,12 @@ DELONE_C_API int delone_voronoi(const delone_object* triangulation, const delone
  * `tolerance` of a remaining cell: a "triangulation". Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
 DELONE_C_API int delone_trim(const delone_object* triangulation, double tolerance, delone_object** object);
 
+/* The alpha complex of a "delaunay" or "regular" triangulation below a radius: its cells whose spheres
+ * (orthogonal spheres, if there are weights) have at most that radius, as a "triangulation". Exact. Option:
+ * threads. Errors: INVALID_ARGUMENT for a radius below 0 or NaN, UNSUPPORTED, OUT_OF_MEMORY, CANCELLED. */
+DELONE_C_API int delone_alpha_complex(const delone_object* triangulation, double radius,
+                                      const delone_options* options, delone_object** object);
+
 /* Adds rows to a triangulation, a convex hull or an intersection of halfspaces that was made: all or, after
  * an error, none. `rows`: num_rows x d numbers, x (d+1) for halfspaces. `weights`: num_rows numbers for
  * "regular", otherwise NULL. Both may be arrays of the object. Invalidates what was borrowed from the object,
@@ -322,11 +338,21 @@ DELONE_C_API int delone_trim(const delone_object* triangulation, double toleranc
 DELONE_C_API int delone_insert(delone_object* object, const double* rows, size_t num_rows,
                                const double* weights);
 
+/* Removes rows from a triangulation that was made, or gives them other points (`to`: num_rows x d numbers, or
+ * NULL) and, in a "regular" one, other weights (num_rows numbers, or NULL): all or, after an error, none.
+ * Rows keep their numbers, which are not used again. Invalidates as an insertion does. Errors:
+ * INVALID_ARGUMENT for a row that does not exist or comes twice, otherwise as for the product. */
+DELONE_C_API int delone_remove(delone_object* triangulation, const int64_t* rows, size_t num_rows);
+DELONE_C_API int delone_move(delone_object* triangulation, const int64_t* rows, size_t num_rows,
+                             const double* to, const double* weights);
+
 /* ---- Queries: in batches, answered exactly ------------------------------------------------------------- */
 
-/* For triangulations, hulls and diagrams that were made. `queries`: num_queries x d finite numbers. Output
- * goes to arrays of the caller. All have the option threads and the errors NOT_FINITE, with the rows of the
- * queries, INVALID_ARGUMENT, OUT_OF_MEMORY and CANCELLED. Batches are faster than single queries. */
+/* For triangulations, hulls and diagrams that were made; delone_locate() and delone_cells_within() also for
+ * given and read cells of dimension d, which may overlap, leave gaps and be flat. `queries`: num_queries x d
+ * finite numbers. Output goes to arrays of the caller. All have the option threads and the errors NOT_FINITE,
+ * with the rows of the queries, INVALID_ARGUMENT, OUT_OF_MEMORY and CANCELLED. Batches are faster than single
+ * queries. */
 
 /* Where a query lies. */
 enum {
@@ -345,8 +371,9 @@ enum {
  *   kinds        DELONE_INSIDE ...; not of lower and upper hulls
  *   barycentric  k+1 numbers each, of triangulations only: coordinates in the cell, NaN outside
  *   distances    of triangulations only: a bound on the distance of the point that answers from the query
- * Options of triangulations: tolerance, outside = "fill" or "project" (the nearest point of the hull
- * answers). */
+ * Of given cells that contain a query the first is told; kinds are DELONE_OUTSIDE_HULL in no cell, and a flat
+ * cell contains nothing. Options of triangulations that were made: tolerance, outside = "fill" or "project"
+ * (the nearest point of the hull answers). */
 DELONE_C_API int delone_locate(const delone_object* object, const double* queries, size_t num_queries,
                                const delone_options* options, int64_t* cells, uint8_t* kinds,
                                double* barycentric, double* distances);

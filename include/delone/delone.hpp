@@ -6,6 +6,7 @@
 #include <delone/alpha_shape.hpp>
 #include <delone/arithmetic.hpp>
 #include <delone/cell_numbers.hpp>
+#include <delone/cell_search.hpp>
 #include <delone/check.hpp>
 #include <delone/complex.hpp>
 #include <delone/config.hpp>

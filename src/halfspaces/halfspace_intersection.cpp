@@ -315,7 +315,13 @@ Measure HalfspaceIntersectionBase::volume() const {
   Options options = impl_->options;
   options.memory_limit = 0;  // limits are those of insertions
   options.time_limit = 0;
-  return ConvexHull<>(found.vertices, dimension(), options).volume();
+  const ConvexHull<> hull(found.vertices, dimension(), options);
+  // Rounded vertices may be flat, where a hull has the volume within its flat.
+  return hull.affine_dimension() == dimension() ? hull.volume() : Measure();
+}
+double HalfspaceIntersectionBase::volume_of_faces() const {
+  const ArithmeticScope arithmetic;
+  return halfspaces::volume_of_faces(*impl_->current);
 }
 Measure HalfspaceIntersectionBase::dual_volume() const {
   const ArithmeticScope arithmetic;

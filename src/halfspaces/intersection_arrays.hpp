@@ -44,6 +44,9 @@ bool is_strictly_inside(const double* row, const InteriorPoint& p);
 /// All of IntersectionData except the halfspaces.
 IntersectionData intersection_arrays(const IntersectionParts& parts);
 
+/// The volume of a bounded intersection of full dimension, from its faces; 0 if it has no interior.
+double volume_of_faces(const IntersectionParts& parts);
+
 /// The volume of the hull of the rounded dual points, or the area of its boundary; NaN for k < d.
 Measure dual_measure(const IntersectionParts& parts, bool volume);
 

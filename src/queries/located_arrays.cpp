@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The answers of PointLocator::locate() as arrays.
 #include "queries/point_locator_impl.hpp"
+#include "queries/require_size.hpp"
 
 #include <delone/error.hpp>
 
@@ -11,12 +12,7 @@
 namespace delone {
 namespace {
 
-template <class T>
-void require_size(std::span<T> array, std::size_t expected, const char* what) {
-  if (array.empty() || array.size() == expected) return;
-  throw Error(Errc::invalid_argument,
-              std::to_string(array.size()) + " entries for the " + what + " of " + std::to_string(expected));
-}
+using queries::require_size;
 
 SignedIndex row_of(const LocatedPoint& where, const CellNumbers& numbers) {
   return where.barycentric.empty() ? SignedIndex{-1} : numbers.row(where.cell);

@@ -7,8 +7,8 @@
 #pragma once
 
 #include "kernel/fractions.hpp"
+#include "solve/simple_polytope.hpp"
 #include "voronoi/face_volumes.hpp"
-#include "voronoi/simple_polytope.hpp"
 
 #include <delone/voronoi.hpp>
 
@@ -113,7 +113,7 @@ class RegionClipper {
   std::vector<unsigned char> alive_, beyond_;
   std::vector<Corner> free_, fresh_;
   std::vector<double> matrix_, work_, inverse_, right_, scales_;
-  SimplePolytope polytope_;
+  solve::SimplePolytope polytope_;
 };
 
 }  // namespace delone::voronoi

@@ -9,11 +9,11 @@
 #include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
 #include "base/require_tolerance.hpp"
+#include "solve/simple_polytope.hpp"
 #include "voronoi/clipped_regions.hpp"
 #include "voronoi/diagram_simplifier.hpp"
 #include "voronoi/region_clipper.hpp"
 #include "voronoi/ridge_volumes.hpp"
-#include "voronoi/simple_polytope.hpp"
 #include "voronoi/voronoi_builder.hpp"
 
 #include <algorithm>
@@ -190,7 +190,7 @@ double Diagram::ridge_volume(std::size_t i, const std::vector<std::vector<Index>
   std::vector<Index> star;
   std::set_intersection(cells_of_region[a].begin(), cells_of_region[a].end(), cells_of_region[b].begin(),
                         cells_of_region[b].end(), std::back_inserter(star));
-  voronoi::SimplePolytope polytope;
+  solve::SimplePolytope polytope;
   polytope.start(k - 1, ambient());
   std::vector<std::size_t> labels;
   for (const Index cell : star) {

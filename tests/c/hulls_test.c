@@ -97,6 +97,30 @@ static void many_hulls(void) {
   CHECK(hulls == NULL);
 }
 
+static void volumes_of_intersections(void) {
+  const double squares[24] = {0, 0, 2, 0, 2, 2, 0, 2, 1, 1, 3, 1, 3, 3, 1, 3, 2, 0, 3, 0, 3, 1, 2, 1};
+  const size_t offsets[4] = {0, 4, 8, 12};
+  const int64_t pairs[8] = {0, 1, 1, 0, 0, 2, 1, 1}, wrong[2] = {0, 3}, negative[2] = {-1, 0};
+  double volumes[4];
+  delone_options* options;
+  delone_object* hulls;
+  delone_array array;
+  OK(delone_options_new(&options));
+  OK(delone_set_integer(options, "threads", 2));
+  OK(delone_convex_hulls(squares, 12, 2, offsets, 3, options, &hulls));
+  array = get_array(hulls, "points");
+  CHECK(array.shape[0] == 12 && entry(&array, 8) == 1);
+  OK(delone_intersection_volumes(hulls, pairs, 4, options, volumes));
+  CHECK(fabs(volumes[0] - 1) < 1e-15 && volumes[1] == volumes[0] && volumes[2] == 0 && volumes[3] == 4);
+  OK(delone_intersection_volumes(hulls, NULL, 0, NULL, NULL));
+  FAILS(DELONE_INVALID_ARGUMENT, delone_intersection_volumes(hulls, wrong, 1, NULL, volumes));
+  FAILS(DELONE_INVALID_ARGUMENT, delone_intersection_volumes(hulls, negative, 1, NULL, volumes));
+  FAILS(DELONE_INVALID_ARGUMENT, delone_intersection_volumes(hulls, pairs, 1, NULL, NULL));
+  FAILS(DELONE_INVALID_ARGUMENT, delone_intersection_volumes(NULL, pairs, 1, NULL, volumes));
+  delone_free(hulls);
+  delone_options_free(options);
+}
+
 static void envelopes(void) {
   const double phases[8] = {0, 0, 0.5, -1, 0.5, 1, 1, 0}, at[3] = {0.25, 0.5, 2};
   delone_object *lower, *upper, *report;
@@ -210,6 +234,7 @@ void hulls_test(void) {
   hull_with_a_tolerance();
   tolerances_of_axes();
   many_hulls();
+  volumes_of_intersections();
   envelopes();
   halfspaces();
   diagrams();

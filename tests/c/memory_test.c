@@ -27,6 +27,11 @@ static int make_natural(delone_object** object) {
 static int make_neighbors(delone_object** object) {
   return delone_natural_neighbors(base, points, 30, NULL, object);
 }
+static int make_hulls(delone_object** object) {
+  const size_t offsets[3] = {0, 15, 30};
+  return delone_convex_hulls(points, 30, 3, offsets, 2, NULL, object);
+}
+static int make_alpha(delone_object** object) { return delone_alpha_complex(base, 0.3, NULL, object); }
 
 /* Each member of an object, or the first failure. */
 static int read_members(const delone_object* object) {
@@ -91,10 +96,44 @@ static void insertions_change_nothing_when_they_fail(void) {
   }
 }
 
+static void removals_change_nothing_when_they_fail(void) {
+  const int64_t rows[2] = {3, 7};
+  char hash[33];
+  int status = DELONE_OUT_OF_MEMORY;
+  long n;
+  strcpy(hash, get_text(base, "hash"));
+  for (n = 0; status != DELONE_OK; n += step()) {
+    delone_object* object;
+    OK(delone_clone(base, &object));
+    fail_allocations_after(n);
+    status = delone_remove(object, rows, 2);
+    fail_allocations_after(-1);
+    CHECK(get_integer(object, "num_points") == (status == DELONE_OK ? 28 : 30));
+    CHECK((strcmp(get_text(object, "hash"), hash) == 0) == (status != DELONE_OK));
+    delone_free(object);
+  }
+}
+
+static void volumes_need_memory(void) {
+  const int64_t pair[2] = {0, 1};
+  int status = DELONE_OUT_OF_MEMORY;
+  double volume;
+  delone_object* hulls;
+  long n;
+  OK(make_hulls(&hulls));
+  for (n = 0; status != DELONE_OK; n += 5 * step()) {
+    fail_allocations_after(n);
+    status = delone_intersection_volumes(hulls, pair, 1, NULL, &volume);
+    fail_allocations_after(-1);
+    CHECK(status == DELONE_OK || status == DELONE_OUT_OF_MEMORY);
+  }
+  delone_free(hulls);
+}
+
 void memory_test(void) {
-  int (*const makers[])(delone_object**) = {make_regular, make_hull,     make_envelope, make_intersection,
-                                            make_diagram, make_clone,    make_report,   make_linear,
-                                            make_natural, make_neighbors};
+  int (*const makers[])(delone_object**) = {make_regular, make_hull,      make_envelope, make_intersection,
+                                            make_diagram, make_clone,     make_report,   make_linear,
+                                            make_natural, make_neighbors, make_hulls,    make_alpha};
   delone_options* options;
   size_t i;
   points = random_points(30, 3);
@@ -102,6 +141,8 @@ void memory_test(void) {
   OK(make_delaunay(&base));
   for (i = 0; i < sizeof makers / sizeof *makers; ++i) sweep(makers[i]);
   insertions_change_nothing_when_they_fail();
+  removals_change_nothing_when_they_fail();
+  volumes_need_memory();
   fail_allocations_after(0);
   CHECK(delone_options_new(&options) == DELONE_OUT_OF_MEMORY);
   fail_allocations_after(-1);

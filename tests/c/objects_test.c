@@ -127,7 +127,7 @@ static void members_are_listed(void) {
       OK(delone_get_text(t, name, &text));
     }
   }
-  CHECK(arrays == 8 && i == 18);
+  CHECK(arrays == 8 && i == 19);
   CHECK(delone_member(t, i, NULL) == NULL && delone_member(NULL, 0, NULL) == NULL);
   delone_free(t);
 }
@@ -178,6 +178,70 @@ static void slivers_are_trimmed(void) {
   delone_free(rest);
 }
 
+static void rows_are_removed_and_moved(void) {
+  const double to[2] = {0.5, 0.25}, weight = 0.25, weights[5] = {0, 0, 0, 0, 0};
+  const int64_t rows[1] = {1}, twice[2] = {2, 2}, beyond[1] = {5}, negative[1] = {-1};
+  delone_object *t, *r, *hull;
+  delone_array points;
+  char hash[33];
+  OK(delone_delaunay(square, 5, 2, NULL, &t));
+  strcpy(hash, get_text(t, "hash"));
+  FAILS(DELONE_INVALID_ARGUMENT, delone_remove(t, twice, 2));
+  FAILS(DELONE_INVALID_ARGUMENT, delone_remove(t, beyond, 1));
+  FAILS(DELONE_INVALID_ARGUMENT, delone_remove(t, negative, 1));
+  FAILS(DELONE_INVALID_ARGUMENT, delone_move(t, rows, 1, to, &weight));
+  FAILS(DELONE_INVALID_ARGUMENT, delone_move(t, rows, 1, NULL, &weight));
+  CHECK(strcmp(hash, get_text(t, "hash")) == 0);
+  OK(delone_move(t, rows, 1, to, NULL));
+  points = get_array(t, "points");
+  CHECK(entry(&points, 2) == 0.5 && entry(&points, 3) == 0.25);
+  CHECK(strcmp(hash, get_text(t, "hash")) != 0);
+  OK(delone_move(t, rows, 1, square + 2, NULL));
+  CHECK(strcmp(hash, get_text(t, "hash")) == 0);
+  OK(delone_remove(t, rows, 1));
+  CHECK(get_integer(t, "num_points") == 4 && get_integer(t, "num_rows") == 5 &&
+        get_integer(t, "num_cells") == 1);
+  points = get_array(t, "points");
+  CHECK(points.shape[0] == 5 && entry(&points, 2) != entry(&points, 2));
+  FAILS(DELONE_INVALID_ARGUMENT, delone_remove(t, rows, 1));
+  OK(delone_regular(square, weights, 5, 2, NULL, &r));
+  OK(delone_move(r, rows, 1, to, &weight));
+  OK(delone_move(r, rows, 1, NULL, &weight));
+  points = get_array(r, "weights");
+  CHECK(entry(&points, 1) == 0.25);
+  OK(delone_convex_hull(square, 5, 2, NULL, &hull));
+  FAILS(DELONE_INVALID_ARGUMENT, delone_remove(hull, rows, 1));
+  FAILS(DELONE_INVALID_ARGUMENT, delone_remove(NULL, rows, 1));
+  OK(delone_remove(t, NULL, 0));
+  delone_free(t);
+  delone_free(r);
+  delone_free(hull);
+}
+
+static void alpha_complexes(void) {
+  /* A long triangle beside a square. */
+  const double points[10] = {0, 0, 1, 0, 1, 1, 0, 1, 9, 0.5};
+  delone_object *t, *alpha, *none;
+  delone_array array;
+  OK(delone_delaunay(points, 5, 2, NULL, &t));
+  CHECK(get_integer(t, "num_cells") == 3);
+  OK(delone_alpha_complex(t, 1, NULL, &alpha));
+  CHECK(strcmp(delone_kind(alpha), "triangulation") == 0 &&
+        strcmp(get_text(alpha, "kind"), "alpha_complex") == 0);
+  CHECK(get_integer(alpha, "num_cells") == 2 && get_array(alpha, "cell_numbers").shape[0] == 2);
+  array = get_array(alpha, "boundary");
+  CHECK(array.shape[0] == 4 && array.shape[1] == 2 && get_array(alpha, "boundary_cells").shape[0] == 4);
+  CHECK(get_array(alpha, "singular_facets").shape[0] == 0);
+  OK(delone_alpha_complex(t, 0.5, NULL, &none));
+  array = get_array(none, "singular_facets");
+  CHECK(get_integer(none, "num_cells") == 0 && array.shape[0] == 4);
+  delone_free(none);
+  FAILS(DELONE_INVALID_ARGUMENT, delone_alpha_complex(t, -1, NULL, &none));
+  FAILS(DELONE_INVALID_ARGUMENT, delone_alpha_complex(alpha, 1, NULL, &none));
+  delone_free(t);
+  delone_free(alpha);
+}
+
 void objects_test(void) {
   the_square();
   no_points_and_flat_points();
@@ -186,4 +250,6 @@ void objects_test(void) {
   members_are_listed();
   rows_of_the_same_object();
   slivers_are_trimmed();
+  rows_are_removed_and_moved();
+  alpha_complexes();
 }

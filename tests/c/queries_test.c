@@ -163,6 +163,47 @@ static void hull_and_predicates(void) {
   FAILS(DELONE_INVALID_ARGUMENT, delone_orientation(square, 2, NULL));
 }
 
+/* Cells that were given overlap, leave gaps, and may be flat. */
+static void given_cells(const delone_object* t, const double* points, const double* queries) {
+  static int64_t cells[q], found[q];
+  static double barycentric[q * 4];
+  const double corners[10] = {0, 0, 4, 0, 0, 4, 4, 4, 2, 0}, at[6] = {1, 1, 3, 3.5, 5, 5};
+  const int64_t three[9] = {0, 1, 2, 2, 1, 0, 0, 1, 4}, line[2] = {0, 1};
+  const delone_array all = get_array(t, "cells");
+  int64_t* const ids = malloc(4 * all.shape[0] * sizeof(int64_t));
+  delone_options* options;
+  delone_object *given, *near;
+  delone_array items;
+  uint8_t kinds[3];
+  size_t i;
+  for (i = 0; i < 4 * all.shape[0]; ++i) ids[i] = (int64_t)entry(&all, i);
+  OK(delone_triangulation_of_cells(points, NULL, n, 3, ids, all.shape[0], 3, &given));
+  OK(delone_locate(t, queries, q, NULL, cells, NULL, NULL, NULL));
+  OK(delone_locate(given, queries, q, NULL, found, NULL, barycentric, NULL));
+  CHECK(memcmp(cells, found, sizeof cells) == 0);
+  for (i = 0; i < q; ++i) CHECK((cells[i] < 0) == (isnan(barycentric[4 * i]) != 0));
+  delone_free(given);
+  OK(delone_triangulation_of_cells(corners, NULL, 5, 2, three, 3, 2, &given));
+  OK(delone_locate(given, at, 3, NULL, found, kinds, NULL, NULL));
+  CHECK(found[0] == 0 && found[1] == -1 && kinds[0] == DELONE_INSIDE && kinds[1] == DELONE_OUTSIDE_HULL);
+  OK(delone_cells_within(given, at, 3, 0, NULL, &near));
+  items = get_array(near, "cells");
+  CHECK(items.shape[0] == 2 && entry(&items, 0) == 0 && entry(&items, 1) == 1);
+  delone_free(near);
+  OK(delone_cells_within(given, at, 3, 2, NULL, &near));
+  CHECK(get_array(near, "cells").shape[0] == 4);
+  delone_free(near);
+  OK(delone_options_new(&options));
+  OK(delone_set_real(options, "tolerance", 1));
+  FAILS(DELONE_UNSUPPORTED, delone_locate(given, at, 3, options, found, NULL, NULL, NULL));
+  delone_free(given);
+  OK(delone_triangulation_of_cells(corners, NULL, 5, 2, line, 1, 1, &given));
+  FAILS(DELONE_UNSUPPORTED, delone_locate(given, at, 3, NULL, found, NULL, NULL, NULL));
+  delone_free(given);
+  delone_options_free(options);
+  free(ids);
+}
+
 void queries_test(void) {
   double* const points = random_points(n + q, 3);
   const double* const queries = points + 3 * n;
@@ -173,6 +214,7 @@ void queries_test(void) {
   locate_and_barycentric(t, points, queries);
   nearest(t, points, queries);
   lists(t, points, queries);
+  given_cells(t, points, queries);
   interpolate(t, points, queries, options);
   hull_and_predicates();
   delone_free(t);

@@ -28,6 +28,7 @@ class Matrix(unittest.TestCase):
         self.assertEqual(matrix.count_tests("===== 3 passed, 1 failed, 2 skipped in 1.50s =====\n"), "3/4")
         self.assertEqual(matrix.count_tests("30 passed in 2.1s\n"), "30/30")
         self.assertEqual(matrix.count_tests("Ran 4 tests in 2.1s\n\nFAILED (failures=1)\nRan 1 test in 0s\n\nOK\n"), "4/5")
+        self.assertEqual(matrix.count_tests("[ FAIL 1 | WARN 0 | SKIP 2 | PASS 30 ]\n245 passed, 2 failed\n"), "275/278")
         self.assertEqual(matrix.count_tests("nothing"), "–")
 
     def test_failures_are_seen_and_shown(self):

@@ -4,6 +4,7 @@
 
 #include "base/build_limits.hpp"
 #include "base/guarded.hpp"
+#include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
 #include "base/require_dimension.hpp"
 #include "base/require_finite.hpp"
@@ -14,7 +15,9 @@
 #include <delone/error.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <string>
+#include <utility>
 
 namespace delone {
 namespace {
@@ -22,6 +25,8 @@ namespace {
 using hull::HullAnalysis;
 using hull::HullMeasures;
 using hull::HullState;
+
+constexpr std::size_t part = 16;  // sets that a thread takes at once
 
 /// Appends the hull of one set, whose rows begin at first_row.
 void append(const hull::ExtremeHull& hull, std::size_t first_row, ConvexHulls& all) {
@@ -60,6 +65,44 @@ void append(const hull::ExtremeHull& hull, std::size_t first_row, ConvexHulls& a
   all.cell_offsets.push_back(all.cells.size() / static_cast<std::size_t>(d));
 }
 
+ConvexHulls none(int dimension) {
+  ConvexHulls result;
+  result.dimension = dimension;
+  result.vertex_offsets = result.cell_offsets = {0};
+  return result;
+}
+
+template <class T>
+void append(const std::vector<T>& more, std::vector<T>& all) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+/// Appends hulls of the next sets.
+void append(const ConvexHulls& more, ConvexHulls& all) {
+  const std::size_t first_vertex = all.vertices.size(), first_cell = all.cell_offsets.back();
+  append(more.affine_dimensions, all.affine_dimensions);
+  for (std::size_t i = 1; i < more.vertex_offsets.size(); ++i) {
+    all.vertex_offsets.push_back(first_vertex + more.vertex_offsets[i]);
+    all.cell_offsets.push_back(first_cell + more.cell_offsets[i]);
+  }
+  append(more.vertices, all.vertices);
+  append(more.cells, all.cells);
+  for (const SignedIndex cell : more.neighbors)
+    all.neighbors.push_back(cell + static_cast<SignedIndex>(first_cell));
+  append(more.equations, all.equations);
+  append(more.volumes, all.volumes);
+  append(more.areas, all.areas);
+}
+
+/// The hull of the rows first … last−1.
+hull::ExtremeHull hull_of(std::span<const double> coordinates, int dimension, std::size_t first,
+                          std::size_t last, Options options) {
+  constexpr std::size_t small = 48;  // sets so small are not worth an order
+  if (last - first <= small) options.order = InsertionOrder::as_given;
+  const auto d = static_cast<std::size_t>(dimension);
+  return hull::find_extreme_hull(coordinates.subspan(first * d, (last - first) * d), dimension, options);
+}
+
 void check(std::span<const double> coordinates, int dimension, std::span<const std::size_t> offsets) {
   const auto d = static_cast<std::size_t>(dimension);
   if (coordinates.size() % d != 0)
@@ -80,34 +123,38 @@ void check(std::span<const double> coordinates, int dimension, std::span<const s
 ConvexHulls convex_hulls(const AnyPoints<>& points, int dimension, std::span<const std::size_t> offsets,
                          const Options& options) {
   const ArithmeticScope arithmetic;
-  // Sets so small are not worth an order.
-  constexpr std::size_t small = 48;
   internal::require_dimension(dimension);
   internal::refuse_tolerance(options.tolerance, options.axis_tolerances, "many hulls at once");
   points.require_dimension(dimension);
   const std::span<const double> coordinates = points.coordinates();
   check(coordinates, dimension, offsets);
   return internal::guarded("the hulls", [&] {
-    ConvexHulls all;
-    all.dimension = dimension;
-    all.vertex_offsets = all.cell_offsets = {0};
-    Options of_each = options, of_small = options;
-    of_each.progress = of_small.progress = {};
-    of_each.time_limit = of_small.time_limit = 0;
-    of_each.memory_limit = of_small.memory_limit = 0;
+    ConvexHulls all = none(dimension);
+    Options of_each = options;
+    of_each.progress = {};
+    of_each.time_limit = 0;
+    of_each.memory_limit = 0;
+    const std::size_t count = offsets.size() - 1, num_parts = (count + part - 1) / part;
+    const unsigned threads = internal::threads_for_parts(options.threads, num_parts);
+    if (threads > 1) of_each.threads = 1;
     internal::BuildLimits limits(options.memory_limit, options.time_limit, "sets");
     limits.set_independent();
-    of_small.order = InsertionOrder::as_given;
-    internal::ProgressMeter progress(options.progress, offsets.size() - 1);
-    const auto d = static_cast<std::size_t>(dimension);
+    internal::ProgressMeter progress(options.progress, count);
     limits.guard([&] {
-      for (std::size_t i = 0; i + 1 < offsets.size(); ++i) {
-        const std::size_t n = offsets[i + 1] - offsets[i];
-        append(hull::find_extreme_hull(coordinates.subspan(offsets[i] * d, n * d), dimension,
-                                       n <= small ? of_small : of_each),
-               offsets[i], all);
-        progress(i + 1);
-      }
+      std::vector<ConvexHulls> parts(threads > 1 ? num_parts : 0);
+      std::atomic<std::size_t> done = 0;
+      internal::for_parts(threads, count, part, [&](std::size_t first, std::size_t last, const auto& stop) {
+        ConvexHulls made = threads > 1 ? none(dimension) : ConvexHulls();
+        for (std::size_t i = first; i < last; ++i) {
+          stop();
+          append(hull_of(coordinates, dimension, offsets[i], offsets[i + 1], of_each), offsets[i],
+                 threads > 1 ? made : all);
+          const std::size_t so_far = done.fetch_add(1, std::memory_order_relaxed) + 1;
+          if (internal::current_meter != nullptr) progress(so_far);  // no other thread has one
+        }
+        if (threads > 1) parts[first / part] = std::move(made);
+      });
+      for (ConvexHulls& one : parts) append(std::exchange(one, {}), all);
     });
     return all;
   });

@@ -40,6 +40,15 @@ TEST(HalfspaceIntersection, WhatIsRefusedLeavesItAsItWas) {
   EXPECT_EQ(box.count(HalfspaceKind::redundant), 1u);
 }
 
+TEST(HalfspaceIntersection, NoVolumeIsLeftBetweenTwoDoubles) {
+  // 1 + 4/7·u < x < 1 + 4/5·u with u = 2⁻⁵²: all of it rounds to 1 + u.
+  const HalfspaceRows thin{-7, 0, 7 + 0x1p-50, 5, 0, -(5 + 0x1p-50), 0, 1, -1, 0, -1, 0};
+  const HalfspaceIntersection<> sliver(thin, 2);
+  EXPECT_EQ(sliver.state(), IntersectionState::full);
+  EXPECT_EQ(sliver.num_vertices(), 4u);
+  EXPECT_EQ(sliver.volume().value, 0);
+}
+
 TEST(HalfspaceIntersection, ErrorsNameTheRowsThatAreAdded) {
   HalfspaceIntersection<> box(square, 2, std::vector<double>{0, 0});
   try {

@@ -58,6 +58,24 @@ TEST(ConvexHulls, AreThoseOfSingleSets) {
   }
 }
 
+TEST(ConvexHulls, ThreadsShareSetsAndChangeNothing) {
+  const std::vector<double> points = make_point_set("grid", 3, 1000, 5);
+  std::vector<std::size_t> offsets{0};
+  while (offsets.back() < 1000)
+    offsets.push_back(std::min<std::size_t>(1000, offsets.back() + offsets.size() % 7));
+  const ConvexHulls one = convex_hulls(points, 3, offsets),
+                    many = convex_hulls(points, 3, offsets, {.threads = 3});
+  EXPECT_EQ(one.affine_dimensions, many.affine_dimensions);
+  EXPECT_EQ(one.vertex_offsets, many.vertex_offsets);
+  EXPECT_EQ(one.vertices, many.vertices);
+  EXPECT_EQ(one.cell_offsets, many.cell_offsets);
+  EXPECT_EQ(one.cells, many.cells);
+  EXPECT_EQ(one.neighbors, many.neighbors);
+  EXPECT_EQ(one.equations, many.equations);
+  EXPECT_EQ(one.volumes, many.volumes);
+  EXPECT_EQ(one.areas, many.areas);
+}
+
 TEST(ConvexHulls, FlatSetsHaveTheAreaOfTheLimit) {
   const std::vector<double> square{0, 0, 5, 2, 0, 5, 2, 2, 5, 0, 2, 5, 1, 1, 5};
   const ConvexHulls hulls = convex_hulls(square, 3, std::vector<std::size_t>{0, 5});

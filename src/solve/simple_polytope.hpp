@@ -9,7 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace delone::voronoi {
+namespace delone::solve {
 
 /// Collects the corners of a polytope and computes its volume. Keeps its scratch memory from one polytope to
 /// the next.
@@ -59,4 +59,4 @@ class SimplePolytope {
   double scale_ = 1;
 };
 
-}  // namespace delone::voronoi
+}  // namespace delone::solve

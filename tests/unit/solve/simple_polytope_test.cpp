@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Volumes of polytopes that are given by their corners and the facets through each.
-#include "voronoi/simple_polytope.hpp"
+#include "solve/simple_polytope.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-namespace delone::voronoi {
+namespace delone::solve {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -108,4 +108,4 @@ TEST(SimplePolytope, AtTheEndsOfTheRange) {
 }
 
 }  // namespace
-}  // namespace delone::voronoi
+}  // namespace delone::solve

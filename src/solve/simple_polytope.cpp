@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voronoi/simple_polytope.hpp"
+#include "solve/simple_polytope.hpp"
 
 #include "base/compensated_sum.hpp"
 #include "base/progress_meter.hpp"
@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace delone::voronoi {
+namespace delone::solve {
 
 void SimplePolytope::start(std::size_t m, std::size_t d) {
   m_ = m;
@@ -140,4 +140,4 @@ SimplePolytope::Face SimplePolytope::measure_face(std::size_t dimension, std::si
   return {sum.value() / static_cast<double>(dimension), origin, basis};
 }
 
-}  // namespace delone::voronoi
+}  // namespace delone::solve

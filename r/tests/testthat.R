@@ -1,0 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+library(testthat)
+library(delone)
+
+test_check("delone")

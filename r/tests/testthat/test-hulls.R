@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Convex hulls, intersections of halfspaces, diagrams.
+
+cube <- as.matrix(expand.grid(x = 0:2, y = 0:2, z = 0:2))
+
+test_that("a convex hull has its facets and measures", {
+  h <- convex_hull(cube)
+  expect_equal(c(h$volume, h$area), c(8, 24))
+  expect_length(h$vertices, 8)
+  expect_equal(lengths(h$facets), rep(4, 6))
+  expect_equal(range(unlist(h$facets)), c(1, 27))
+  expect_equal(as.vector(table(h$point_kinds)), c(8, 18, 1, 0))
+  expect_equal(nrow(h$equations), 6)
+  expect_lte(max(cube %*% t(h$equations[, 1:3]) + rep(h$equations[, 4], each = 27)), 1e-15)
+  expect_equal(convex_hull(cbind(1:3, 1:3))$affine_dimension, 1)
+  expect_equal(insert_points(h, c(9, 1, 1))$num_vertices, 9)
+  set.seed(1)
+  p <- matrix(runif(1000), ncol = 2)
+  expect_lt(convex_hull(p, tolerance = 0.1)$num_vertices, convex_hull(p)$num_vertices)
+  expect_lt(convex_hull(p, tolerance = c(0.1, 0.2))$num_vertices, convex_hull(p)$num_vertices)
+  expect_error(convex_hull(p, tolerance = -1), class = "delone_error_invalid_argument")
+})
+
+test_that("points are in a hull or not, exactly", {
+  q <- rbind(c(1, 1, 1), c(2, 1, 1), c(2, 2, 2), c(2 + 2^-51, 1, 1), c(1, 1, -1))
+  expect_equal(in_hull(cube, q), c(TRUE, TRUE, TRUE, FALSE, FALSE))
+  expect_equal(in_hull(convex_hull(cube), q, boundary = FALSE), c(TRUE, FALSE, FALSE, FALSE, FALSE))
+  expect_equal(as.character(locate(convex_hull(cube), q)$kind), c("inside", "on_face", "on_vertex", "outside", "outside"))
+})
+
+test_that("intersections of halfspaces may be bounded or not", {
+  p <- halfspaces(rbind(c(-1, 0, 0), c(0, -1, 0), c(1, 1, -1), c(1, 1, -9)))
+  expect_true(p$bounded)
+  expect_equal(p$volume, 0.5)
+  expect_setequal(paste(p$vertices[, 1], p$vertices[, 2]), c("0 0", "1 0", "0 1"))
+  expect_equal(as.character(p$kinds), c("facet", "facet", "facet", "redundant"))
+  expect_equal(range(unlist(p$facets)), c(1, 3))
+  expect_false(halfspaces(rbind(c(-1, 0, 0), c(0, -1, 0)))$bounded)
+  empty <- halfspaces(rbind(c(-1, 0, 1), c(1, 0, 0)))
+  expect_equal(empty$state, "empty")
+  expect_setequal(empty$witness, 1:2)
+  e <- tryCatch(halfspaces(rbind(c(1, 0, 0), c(-1, 0, -1)), c(1, 1)), delone_error = function(e) e)
+  expect_equal(e$rows, 1)
+})
+
+test_that("regions of a diagram fill the box", {
+  set.seed(2)
+  p <- matrix(runif(60), 20)
+  v <- voronoi(p)
+  expect_equal(sum(region_volumes(v, c(0, 0, 0), c(1, 1, 1))), 1)
+  expect_equal(sum(is.infinite(region_volumes(v))), v$num_unbounded_regions)
+  expect_length(v$regions, 20)
+  expect_true(anyNA(unlist(v$regions)))
+  square <- rbind(c(0, 0), c(2, 0), c(0, 2), c(2, 2), c(0, 0))
+  expect_equal(region_volumes(voronoi(square), c(0, 0), c(2, 2)), c(1, 1, 1, 1, NA))
+  expect_s3_class(voronoi(regular(p, runif(20))), "delone_diagram")
+  expect_error(region_volumes(v, c(0, 0), c(1, 1)), class = "delone_error_bad_dimension")
+})
+
+test_that("many hulls are single hulls", {
+  set.seed(3)
+  sets <- lapply(1:60, function(i) matrix(rnorm(60), 20))
+  hulls <- convex_hulls(sets)
+  expect_length(hulls, 60)
+  for (i in c(1, 30, 60)) {
+    one <- convex_hull(sets[[i]])
+    expect_equal(c(hulls$volumes[i], hulls$areas[i]), c(one$volume, one$area))
+    expect_equal(hulls$vertices[[i]], one$vertices)
+    cells <- hulls$cells[[i]]
+    expect_setequal(apply(t(apply(cells, 1, sort)), 1, paste, collapse = " "), apply(t(apply(one$cells, 1, sort)), 1, paste, collapse = " "))
+    neighbors <- hulls$neighbors[[i]]
+    expect_equal(range(neighbors), c(1, nrow(cells)))
+    expect_equal(length(intersect(cells[1, ], cells[neighbors[1, 1], ])), 2)
+    expect_equal(dim(hulls$equations[[i]]), c(nrow(cells), 4L))
+  }
+  expect_equal(convex_hulls(sets, threads = 2)$volumes, hulls$volumes)
+  flat <- convex_hulls(list(cbind(1:4, 1:4), cbind(c(0, 1, 0), c(0, 0, 1)), matrix(0, 0, 2)))
+  expect_equal(flat$volumes, c(0, 0.5, 0))
+  expect_equal(flat$affine_dimensions, c(1, 2, -1))
+  grouped <- convex_hulls(iris[1:3], iris$Species)
+  expect_equal(grouped$volumes[2], convex_hull(iris[iris$Species == "versicolor", 1:3])$volume)
+  expect_error(convex_hulls(list(diag(2), diag(3))), "set 2", class = "delone_error_bad_dimension")
+  e <- tryCatch(convex_hulls(list(diag(2), rbind(c(1, 2), c(NA, 3)))), delone_error = function(e) e)
+  expect_match(conditionMessage(e), "set 2: row 2")
+  expect_error(convex_hulls(diag(3)), class = "delone_error_invalid_argument")
+})
+
+test_that("volumes of intersections are those of halfspaces", {
+  set.seed(4)
+  sets <- lapply(1:6, function(i) matrix(rnorm(60), 20))
+  hulls <- convex_hulls(sets)
+  volumes <- intersection_volumes(hulls)
+  expect_equal(volumes, t(volumes))
+  expect_equal(diag(volumes), hulls$volumes)
+  rows <- lapply(sets, function(p) convex_hull(p)$equations)
+  for (i in 2:6) expect_equal(volumes[1, i], halfspaces(rbind(rows[[1]], rows[[i]]))$volume)
+  expect_equal(intersection_volumes(hulls, rbind(c(2, 1), c(3, 3)), threads = 2), c(volumes[1, 2], hulls$volumes[3]))
+  expect_error(intersection_volumes(hulls, cbind(1, 7)), class = "delone_error_invalid_argument")
+  named <- intersection_volumes(convex_hulls(iris[1:3], iris$Species))
+  expect_equal(rownames(named), levels(iris$Species))
+  expect_equal(named["setosa", "virginica"], 0)
+})
