@@ -2,6 +2,7 @@
 ## Runs the tests and the demonstrations of all functions of the package, which is on the path. The last line says how many passed, as other
 ## test programs do.
 
+begin = tic ();
 set (0, "defaultfigurevisible", "off");
 folder = fileparts (which ("delone.version"));
 files = [glob(fullfile (folder, "*.m")); glob(fullfile (folder, "+internal", "*.m"))];
@@ -35,5 +36,5 @@ if (isequal (sort (names), sort ([listed{:}])))
 else
   printf ("INDEX does not list the functions that there are\n");
 endif
-printf ("%d passed, %d failed in 0.0s\n", passed, total - passed);
+printf ("%d passed, %d failed in %.1fs\n", passed, total - passed, toc (begin));
 exit (passed != total);
