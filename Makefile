@@ -125,6 +125,13 @@ trixie:               ## build a wheel of the committed tree in a Debian 13 in b
 	tools/install_dependencies.sh packages
 	tools/other_debian.py trixie
 
+octave:               ## build the Octave package on an installed C library in build/release/octave, and run its tests and Octave's own
+	tools/install_dependencies.sh octave
+	cmake --preset release $(launcher) >/dev/null
+	cmake --build --preset release -j $(jobs)
+	cmake --install build/release --prefix build/release/octave/prefix >/dev/null
+	python3 -B tests/octave/run.py build/release
+
 r:                    ## check the R package on an installed C library in build/release/r, and run the tests of package geometry with it
 	tools/install_dependencies.sh r
 	cmake --preset release $(launcher) >/dev/null

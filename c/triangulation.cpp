@@ -4,6 +4,7 @@
 #include "options.hpp"
 
 #include <delone/io.hpp>
+#include <delone/measures.hpp>
 
 #include <algorithm>
 #include <array>
@@ -98,6 +99,20 @@ const Members& MadeTriangulation::members() const {
           member<Made>(
               "axes",
               [](const Made& o) { return list(o.axes_.get([&] { return o.product_->common().axes(); })); }),
+          member<Made>("circumcenters",
+                       [](const Made& o) {
+                         const auto make = [&] {
+                           return circumcenters(o.triangulation(), {.threads = o.threads_});
+                         };
+                         return table(o.circumcenters_.get(make), o.dimension());
+                       }),
+          member<Made>("circumradii",
+                       [](const Made& o) {
+                         const auto make = [&] {
+                           return circumradii(o.triangulation(), {.threads = o.threads_});
+                         };
+                         return list(o.circumradii_.get(make));
+                       }),
       };
   return all;
 }
@@ -138,6 +153,8 @@ void MadeTriangulation::forget() {
   edges_.reset();
   hull_facets_.reset();
   axes_.reset();
+  circumcenters_.reset();
+  circumradii_.reset();
   ++product_->changes;
 }
 

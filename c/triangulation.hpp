@@ -120,6 +120,7 @@ class MadeTriangulation final : public TriangulationObject {
   Lazy<std::string> hash_;
   Lazy<std::vector<SignedIndex>> edges_, hull_facets_;
   Lazy<std::vector<int>> axes_;
+  Lazy<std::vector<double>> circumcenters_, circumradii_;
 };
 
 inline const MadeTriangulation& as_made(const delone_object* object) {

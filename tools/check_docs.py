@@ -5,6 +5,9 @@
 Usage: check_docs.py BUILD_DIR [--compiler CXX] [--c-compiler CC] [--python PYTHON]
                                    BUILD_DIR holds libdelone, libdelone_c and the command, and for PYTHON the module;
                                    without PYTHON its examples are left out
+       check_docs.py BUILD_DIR --octave FOLDER ... --only docs/octave.md
+                                   the same for one document; the FOLDERs hold the installed Octave package, without
+                                   which its examples are left out
        check_docs.py BUILD_DIR --r LIBRARY --only docs/r.md
                                    the same for one document; the LIBRARY holds the installed R package, without which its
                                    examples are left out
@@ -15,7 +18,7 @@ In README.md and docs/*.md a comment line directly before a fenced block says wh
   <!-- run -->             a ```cpp or ```c block is a complete program, compiled and run; a ```sh block is run by bash -e in a
                            folder that has data/, with the command on the PATH. Python finds the shared library of the
                            C interface by its name. All blocks of one file share that folder. The ```python
-                           blocks of one file are one session, and so are the ```r blocks.
+                           blocks of one file are one session, and so are the ```r blocks; each ```octave block is one of its own.
   <!-- run: status 2 -->   the same, and it must end with this exit status
   <!-- output -->          the block is what the last run block printed (standard output, then standard error);
                            "…" in a line stands for any text, a line "…" for any lines
@@ -118,9 +121,9 @@ for line in sys.stdin:
 class Runner:
     """Runs the blocks of one file in a scratch folder."""
 
-    def __init__(self, build, compilers, python, r, scratch):
-        self.build, self.compilers, self.python, self.scratch, self.programs = build, compilers, python, scratch, 0
-        self.r, self.r_blocks = r, []
+    def __init__(self, build, compilers, interpreters, scratch):
+        self.build, self.compilers, self.scratch, self.programs = build, compilers, scratch, 0
+        self.python, self.octave, self.r, self.r_blocks = interpreters["python"], interpreters["octave"], interpreters["r"], []
         self.session = None
         (scratch / "data").symlink_to(ROOT / "data")
         (scratch / "include").symlink_to(ROOT / "include")
@@ -158,10 +161,14 @@ class Runner:
         elif language == "python":
             self.session = self.session or PythonSession(self.python, self.scratch, self.environment)
             return self.session.run(body)
+        elif language == "octave":
+            program = self.scratch / "program.m"
+            program.write_text("".join(f'addpath ("{folder}");\n' for folder in self.octave) + body, encoding="utf-8")
+            command = ["octave-cli", "--norc", "--no-history", str(program)]
         elif language == "r":
             return self.run_r(body)
         else:
-            raise DocsError(f"marked to run, but its language is '{language}' and not cpp, c, sh, python or r")
+            raise DocsError(f"marked to run, but its language is '{language}' and not cpp, c, sh, python, octave or r")
         done = subprocess.run(command, cwd=self.scratch, env=self.environment, stdin=subprocess.DEVNULL, capture_output=True,
                               text=True, timeout=300)
         return done.returncode, done.stdout + done.stderr
@@ -207,7 +214,7 @@ def check_blocks(path, build, compilers, interpreters, faults):
                     continue
                 count += 1
                 output = ""
-                runner = runner or Runner(build, compilers, interpreters["python"], interpreters["r"], pathlib.Path(scratch))
+                runner = runner or Runner(build, compilers, interpreters, pathlib.Path(scratch))
                 status, output = runner.run(block["language"], block["body"])
                 if status != int(block["status"] or 0):
                     raise DocsError(f"ended with exit status {status}, expected {block['status'] or 0}\n{output}")
@@ -345,6 +352,7 @@ def main():
     parser.add_argument("--compiler", default=os.environ.get("CXX") or shutil.which("c++") or "c++")
     parser.add_argument("--c-compiler", default=os.environ.get("CC") or shutil.which("cc") or "cc")
     parser.add_argument("--python", help="a Python for which BUILD_DIR/python holds the module")
+    parser.add_argument("--octave", nargs="+", help="the folders of the installed Octave package")
     parser.add_argument("--r", type=lambda folder: pathlib.Path(folder).resolve(), help="the library of R that holds the installed package")
     parser.add_argument("--only", help="the one document to check")
     parser.add_argument("--prose", action="store_true", help="only measure prose, follow links and look for files")
@@ -366,7 +374,7 @@ def main():
         faults += prose_faults(name, path.read_text(encoding="utf-8"))
         if not arguments.prose:
             compilers = {"cpp": arguments.compiler, "c": arguments.c_compiler}
-            interpreters = {"python": arguments.python, "r": arguments.r}
+            interpreters = {"python": arguments.python, "octave": arguments.octave, "r": arguments.r}
             run, not_run = check_blocks(path, arguments.build.resolve(), compilers, interpreters, faults)
             blocks, left_out = blocks + run, left_out + not_run
     if blocks == 0 and not faults and not arguments.prose:

@@ -11,7 +11,7 @@ Every spelling in backquotes in the table of names must exist:
            values; another word: one in quotes in cli/, such as a member of --stats
   Python   `Class`, `Class.member`: in the stubs of delone (not of delone.spatial), bases included; `name`: an argument or a
            member; `argument="value"`: a value the stubs allow
-Those of the section "In R" must be functions that the R package exports.
+Those of the sections "In Octave" and "In R" must be functions of these packages.
 Names that were retired (RETIRED below) must not come back. Prints every fault, and exits with status 1 if there is one.
 """
 import ast
@@ -145,6 +145,14 @@ def faults_of_table(text, cpp, command, python):
                     yield number, f"{column} `{spelling}`: {fault}"
 
 
+def faults_of_octave(text, functions):
+    """`functions`: the names of those of the package."""
+    section = re.search(r"^## In Octave$.*?(?=^## |\Z)", text, re.M | re.S)
+    for found in re.finditer(r"`delone\.(\w+)`", section[0] if section else ""):
+        if found[1] not in functions:
+            yield text.count("\n", 0, section.start() + found.start()) + 1, f"Octave `delone.{found[1]}`: there is no such function"
+
+
 def faults_of_r(text, functions):
     """`functions`: the names of those of the package."""
     section = re.search(r"^## In R$.*?(?=^## |\Z)", text, re.M | re.S)
@@ -180,6 +188,8 @@ def faults():
     checkers = (Cpp(texts("include/delone", ".hpp") + texts("include/delone/mpi", ".hpp")), Command(texts("cli", ".cpp", ".hpp")), Python(texts("python/delone", ".py", ".pyi")))
     for number, fault in faults_of_table(table, *checkers):
         yield f"{TABLE}:{number}: {fault}"
+    for number, fault in faults_of_octave(table, {file.stem for file in (ROOT / "octave/inst/+delone").glob("*.m")}):
+        yield f"{TABLE}:{number}: {fault}"
     exported = re.findall(r"^export\(([^)]*)\)", (ROOT / "r/NAMESPACE").read_text(encoding="utf-8"), re.M)
     for number, fault in faults_of_r(table, {name for line in exported for name in line.split(", ")}):
         yield f"{TABLE}:{number}: {fault}"
@@ -211,6 +221,8 @@ def self_test():
     table = "| name | meaning | C++ | command | Python |\n|---|---|---|---|---|\n| a | b \\| c | {} | `cells` | |\n\n| x | y |\n|---|---|\n| `z` | |\n"
     assert not list(faults_of_table(table.format("`Side`"), cpp, command, python))
     assert len(list(faults_of_table(table.format("`Sides`"), cpp, command, python))) == 1
+    in_octave = "`delone.old`\n## In Octave\n`delone.hull`\n`delone.ball`\n## Else\n`delone.other`\n"
+    assert [number for number, _ in faults_of_octave(in_octave, {"hull"})] == [4]
     in_r = "`old()`\n## In R\n`hull()`\n`ball()`\n## Else\n`other()`\n"
     assert [number for number, _ in faults_of_r(in_r, {"hull"})] == [4]
     assert list(faults_of_table("nothing", cpp, command, python))

@@ -30,6 +30,7 @@ KINDS = {
     "wheels": "source distribution, wheel, clean environment",
     "trixie": "Debian 13: Python 3.13, NumPy 2, g++ 14",
     "packages": "Debian packages in a clean system",
+    "octave": "the Octave package, and Octave's own tests",
     "browser": "the site in Chromium",
 }
 

@@ -57,6 +57,8 @@ PLACES = {
     "docs/guide.md": r"find_package\(delone ([\d.]+)",
     "docs/install.md": r"GIT_TAG v([\d.]+)",
     "docs/c.md": r"libdelone_c\.so\.(\d+\.\d+)",
+    "octave/DESCRIPTION": r"^Version: ([\d.]+)",
+    "docs/octave.md": r"delone-([\d.]+)\.tar\.gz",
     "debian/changelog": r"^delone \(([\d.]+)",
     "packaging/debian/changelog": r"^delone \(([\d.]+)",
     "packaging/conda/meta.yaml": r"set version = \"([^\"]+)\"",

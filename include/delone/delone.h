@@ -162,7 +162,8 @@ DELONE_C_API int delone_set_text(delone_options* options, const char* name, cons
  *            "lower_hull", "upper_hull", "hull_boundary"; "" if that is unknown
  *   array    points+ n x d; weights+ n (regular); cells+ m x (k+1) rows, positively oriented when k = d;
  *            neighbors+ m x (k+1) cells: number i is opposite vertex i, -1 outside the hull;
- *            vertex_of_point+ n rows, -1: hidden; edges e x 2 rows; hull_facets h x k rows; axes k (int32)
+ *            vertex_of_point+ n rows, -1: hidden; edges e x 2 rows; hull_facets h x k rows; axes k (int32);
+ *            circumcenters m x d and circumradii m: of the spheres through the vertices of cells
  *            Removed rows have points that are NaN, and no vertex.
  *   trimmed: array kept (uint8), of each cell of the whole; orphans; real depth, lost_volume
  *   alpha_complex: array cell_numbers: the cells in the whole; boundary b x k rows, boundary_cells b;

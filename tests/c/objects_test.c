@@ -2,9 +2,11 @@
 /* Triangulations and their members. */
 #include "c_test.h"
 
+#include <math.h>
+
 static void the_square(void) {
   delone_object* t;
-  delone_array cells, neighbors, edges, facets, vertices;
+  delone_array cells, neighbors, edges, facets, vertices, centers, radii;
   size_t i;
   int outer = 0;
   OK(delone_delaunay(square, 5, 2, NULL, &t));
@@ -23,6 +25,10 @@ static void the_square(void) {
   CHECK(edges.shape[0] == 5 && edges.shape[1] == 2);
   facets = get_array(t, "hull_facets");
   CHECK(facets.shape[0] == 4 && facets.shape[1] == 2);
+  centers = get_array(t, "circumcenters");
+  CHECK(centers.shape[0] == 2 && centers.shape[1] == 2 && ((const double*)centers.data)[0] == 0.5);
+  radii = get_array(t, "circumradii");
+  CHECK(radii.rank == 1 && radii.shape[0] == 2 && fabs(((const double*)radii.data)[1] - sqrt(0.5)) < 1e-15);
   vertices = get_array(t, "vertex_of_point");
   CHECK(vertices.rank == 1 && vertices.shape[0] == 5 && vertices.shape[1] == 1);
   CHECK(entry(&vertices, 3) == 3 && entry(&vertices, 4) == 0);
@@ -127,7 +133,7 @@ static void members_are_listed(void) {
       OK(delone_get_text(t, name, &text));
     }
   }
-  CHECK(arrays == 8 && i == 19);
+  CHECK(arrays == 10 && i == 21);
   CHECK(delone_member(t, i, NULL) == NULL && delone_member(NULL, 0, NULL) == NULL);
   delone_free(t);
 }

@@ -1,0 +1,19 @@
+## Copyright The delone authors
+## SPDX-License-Identifier: BSD-3-Clause
+
+## -*- texinfo -*-
+## @deftypefn {} {[@var{C}, @var{F}] =} delone.internal.regions (@var{triangulation})
+## The vertices of the Voronoi diagram, the first of them infinite, and the vertices of the region of each point.
+## @end deftypefn
+
+function [C, F] = regions (triangulation)
+  diagram = __delone__ ("voronoi", triangulation);
+  [vertices, region] = __delone__ ("get", diagram, "vertices", "point_region");
+  C = [Inf(1, columns (vertices)); vertices];
+  F = __delone__ ("lists", diagram, "region_offsets", "region_vertices", 2)(region);
+endfunction
+
+%!test
+%! [C, F] = delone.internal.regions (__delone__ ("delaunay", [0 0; 2 0; 0 2; 2 2]));
+%! assert (C, [Inf Inf; 1 1]);
+%! assert (sort (F{1}), [1 2]);
