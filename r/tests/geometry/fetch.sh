@@ -7,7 +7,7 @@ mkdir -p "$folder/package"
 folder=$(cd "$folder" && pwd)
 [ -d "$folder/testthat" ] && exit 0
 cd "$folder/package"
-apt-get download -qq r-cran-geometry
+apt-get -o APT::Sandbox::User=root download -qq r-cran-geometry
 dpkg-deb -x r-cran-geometry_*.deb .
 cp -R usr/share/doc/r-cran-geometry/tests/testthat "$folder/"
 gunzip -f "$folder"/testthat/*.gz
