@@ -159,7 +159,8 @@ void sum_flags(const Flags<T, K, N>& flags, const T* squares, Write write) {
   kernel::Buffer<T, num_sets * N> moments((all + 1) * d);
   values[all] = sizes[all] = number<T>(1);
   errors[all] = number<T>(0);
-  for (std::size_t j = 0; j < d; ++j) moments[all * d + j] = flags.centers[all * d + j];
+  for (std::size_t j = 0; j < d; ++j)  // the center of an edge has its share elsewhere
+    moments[all * d + j] = k > 1 ? flags.centers[all * d + j] : number<T>(0);
   for (std::size_t set = all; set-- > 0;) {
     T value = number<T>(0), size = value, error = value;
     T* const moment = moments.data() + set * d;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Sites in parts, by vertex: the star of each, its measures, and its lists; these are put into the order of
+// rows at the end.
 #include <delone/site_cells.hpp>
 
 #include "base/guarded.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// One cell at a time, by flags-inl.hpp: with doubles, with pairs of doubles, and from integers.
 #include "particles/wide_pieces.hpp"
 
 #include "base/compiled_dimension.hpp"

@@ -11,8 +11,8 @@
 
 namespace delone::particles {
 
-/// The neighbors of a site, without error: neighbor i is at (high + low)·2^exponent from it, and w_0 − w_i is
-/// (weight_high + weight_low)·2^(2·exponent). No weights: both are empty.
+/// The neighbors of a site, without error: each is at high + low from it, and w_0 − w is weight_high +
+/// weight_low. Without weights both of these are empty.
 struct ExactNeighbors {
   std::size_t k, d;
   std::span<const double> high, low;  ///< d per neighbor

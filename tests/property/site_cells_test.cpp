@@ -337,6 +337,7 @@ TEST(SiteCells, HaveNoRange) {
   for (const double size : {1e-300, 1e-100, 1e100, 1e300}) {
     const Delaunay<1> line(std::vector<std::array<double, 1>>{{-1}, {0}, {size}, {2 * size}, {3 * size}});
     EXPECT_DOUBLE_EQ(site_cells(line).volumes[2], size);
+    EXPECT_DOUBLE_EQ(site_cells(line).centroids[2], size);
     std::vector<std::array<double, 2>> points{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
     if (size > 1) continue;
     for (int i = 0; i < 3; ++i)
