@@ -13,7 +13,7 @@ import importlib as _importlib
 
 from ._core import (AlphaComplex, CancelledError, ConvexHull, Delaunay, Error, Faces, Forecast, FurthestSite, FurthestVoronoi, HalfspaceIntersection, InputError,
                     LinearInterpolator, LowerHull, NaturalNeighborInterpolator, OutOfMemoryError, PeriodicDelaunay, PeriodicRegular,
-                    PeriodicTriangulation, PowerDiagram, Regular, TimeLimitError,
+                    PowerDiagram, Regular, TimeLimitError,
                     TrimResult, Voronoi, __version__, estimate, forecast, natural_neighbors)
 from ._changes import Changes
 from ._clipped_regions import ClippedRegions
@@ -27,7 +27,7 @@ from ._patch import patch_scipy, scipy_is_patched, unpatch_scipy
 
 __all__ = ["AlphaComplex", "CancelledError", "Changes", "CheckReport", "ClippedRegions", "ComplexData", "ConvexHull", "ConvexHulls", "Data", "Delaunay", "Error", "Faces",
            "Forecast", "FurthestSite", "FurthestVoronoi", "HalfspaceIntersection", "HullData", "InputError", "IntersectionData", "LinearInterpolator", "Locations",
-           "LowerHull", "NaturalNeighborInterpolator", "OutOfMemoryError", "PeriodicDelaunay", "PeriodicRegular", "PeriodicTriangulation",
+           "LowerHull", "NaturalNeighborInterpolator", "OutOfMemoryError", "PeriodicDelaunay", "PeriodicRegular",
            "PowerDiagram", "Regular", "TimeLimitError", "TrimResult", "Voronoi",
            "VoronoiData", "__version__", "check", "convex_hulls", "estimate", "forecast", "generate", "lower_hull", "natural_neighbors",
            "patch_scipy", "read", "scipy_is_patched", "unpatch_scipy", "write_points"]

@@ -258,7 +258,7 @@ void define_members(Class& type) {
           text(docs::periodic::hash))
       .def_property_readonly(
           "statistics", [](const HeldPeriodic& h) { return as_dict(h.get().statistics()); },
-          "What the construction has cost, a dict: see `Delaunay.statistics`.")
+          text(docs::periodic::statistics))
       .def("_data",
            [](const HeldPeriodic& h) {
              return to_python(h.ask([](const PeriodicTriangulation& t) { return t.to_data(); }));
