@@ -60,7 +60,7 @@ Lattice as_lattice(const py::object& lattice, const py::object& axes, int dimens
   return {dimension, {numbers_of.begin(), numbers_of.end()}};
 }
 
-PeriodicOptions as_options(bool exact, bool wrap, const py::object& unit) {
+PeriodicOptions as_periodic_options(bool exact, bool wrap, const py::object& unit) {
   PeriodicOptions options{exact, wrap, 0};
   if (!unit.is_none()) {
     options.unit = unit.cast<double>();
@@ -93,7 +93,7 @@ std::unique_ptr<HeldPeriodicDelaunay> construct_delaunay(
     const py::object& memory_limit, const py::object& time_limit) {
   const auto rows = as_points(points, "points");
   const Lattice box = as_lattice(lattice, axes, static_cast<int>(rows.shape(1)));
-  const PeriodicOptions how = as_options(exact, wrap, unit);
+  const PeriodicOptions how = as_periodic_options(exact, wrap, unit);
   const BuildArguments arguments{seed, std::move(order), threads, as_memory_limit(memory_limit),
                                  as_time_limit(time_limit)};
   return std::make_unique<HeldPeriodicDelaunay>(
@@ -112,7 +112,7 @@ std::unique_ptr<HeldPeriodicRegular> construct_regular(
     throw py::value_error("weights: an array of shape (" + std::to_string(rows.shape(0)) + ",), not " +
                           shown(of_rows.attr("shape")));
   const Lattice box = as_lattice(lattice, axes, static_cast<int>(rows.shape(1)));
-  const PeriodicOptions how = as_options(exact, wrap, unit);
+  const PeriodicOptions how = as_periodic_options(exact, wrap, unit);
   const BuildArguments arguments{seed, std::move(order), threads, as_memory_limit(memory_limit),
                                  as_time_limit(time_limit)};
   return std::make_unique<HeldPeriodicRegular>(made(arguments, progress,
@@ -137,31 +137,32 @@ py::array cell_rows(const HeldPeriodic& held, std::span<const T> (PeriodicTriang
   return view<T>(items, std::move(shape), held.owner());
 }
 
-std::string repr(const HeldPeriodic& held) {
+std::string periodic_repr(const HeldPeriodic& held) {
   const PeriodicTriangulation& t = held.get();
   return std::string("<delone.") + (t.is_regular() ? "PeriodicRegular: " : "PeriodicDelaunay: ") +
          std::to_string(t.num_points()) + " points, dimension " + std::to_string(t.dimension()) +
          ", periodic in " + std::to_string(t.rank()) + (t.rank() == 1 ? " direction>" : " directions>");
 }
 
-py::array lattice_of(const HeldPeriodic& held) {
+py::array periodic_lattice(const HeldPeriodic& held) {
   const PeriodicTriangulation& t = held.get();
   return view<double>(t.lattice().vectors, {t.rank(), t.dimension()}, held.owner());
 }
-py::array points_of(const HeldPeriodic& held) {
+py::array periodic_points(const HeldPeriodic& held) {
   const PeriodicTriangulation& t = held.get();
   return view<double>(t.points(), {static_cast<py::ssize_t>(t.num_points()), t.dimension()}, held.owner());
 }
-py::array weights_of(const HeldPeriodic& held) {
+py::array periodic_weights(const HeldPeriodic& held) {
   return view<double>(held.get().weights(), {static_cast<py::ssize_t>(held.get().weights().size())},
                       held.owner());
 }
 
-py::tuple state(const HeldPeriodic& held) {
-  return py::make_tuple(points_of(held), weights_of(held), lattice_of(held), held.options().unit);
+py::tuple periodic_state(const HeldPeriodic& held) {
+  return py::make_tuple(periodic_points(held), periodic_weights(held), periodic_lattice(held),
+                        held.options().unit);
 }
 template <class Held>
-Held restored(const py::tuple& given, bool is_regular) {
+Held restored_periodic(const py::tuple& given, bool is_regular) {
   return from_state(given, 4, "a periodic triangulation", [&](const py::tuple& state) {
     const auto points = as_points(state[0], "points");
     const auto weights = as_doubles(state[1], "weights"), lattice = as_doubles(state[2], "lattice");
@@ -207,9 +208,9 @@ void define_members(Class& type) {
       .def_property_readonly(
           "num_ghosts", [](const HeldPeriodic& h) { return h.get().num_ghosts(); },
           "The number of translates that were inserted.")
-      .def_property_readonly("points", &points_of,
+      .def_property_readonly("points", &periodic_points,
                              "The points where they were given, on the grid, (n, d) float64.")
-      .def_property_readonly("lattice", &lattice_of, "The lattice vectors on the grid, (r, d) float64.")
+      .def_property_readonly("lattice", &periodic_lattice, "The lattice vectors on the grid, (r, d) float64.")
       .def_property_readonly(
           "displacement", [](const HeldPeriodic& h) { return h.get().displacement(); },
           "The most that a coordinate of a point or lattice vector has moved onto the grid.")
@@ -258,7 +259,7 @@ void define_members(Class& type) {
           text(docs::periodic::hash))
       .def_property_readonly(
           "statistics", [](const HeldPeriodic& h) { return as_dict(h.get().statistics()); },
-          "What the construction has cost, a dict: see `Delaunay.statistics`.")
+          text(docs::periodic::statistics))
       .def("_data",
            [](const HeldPeriodic& h) {
              return to_python(h.ask([](const PeriodicTriangulation& t) { return t.to_data(); }));
@@ -267,7 +268,7 @@ void define_members(Class& type) {
            [](const HeldPeriodic& h) {
              return h.ask([](const PeriodicTriangulation& t) { return t.num_cells(); });
            })
-      .def("__repr__", &repr);
+      .def("__repr__", &periodic_repr);
   define_save(type, [](const HeldPeriodic& h, const SaveArguments& arguments) {
     if (arguments.qhull)
       throw Error(Errc::unsupported, "the output of Qhull has no offsets for a periodic triangulation");
@@ -288,16 +289,18 @@ void bind_periodic(py::module_& module) {
            "exact"_a = false, "wrap"_a = true, "unit"_a = py::none(), "seed"_a = 0, "order"_a = "automatic",
            "threads"_a = 0, "progress"_a = py::none(), "memory_limit"_a = py::none(),
            "time_limit"_a = py::none())
-      .def(py::pickle(&state,
-                      [](const py::tuple& given) { return restored<HeldPeriodicDelaunay>(given, false); }));
+      .def(py::pickle(&periodic_state, [](const py::tuple& given) {
+        return restored_periodic<HeldPeriodicDelaunay>(given, false);
+      }));
   py::class_<HeldPeriodicRegular, HeldPeriodic>(module, "PeriodicRegular", text(docs::periodic::regular))
       .def(py::init(&construct_regular), "points"_a, "weights"_a, "lattice"_a, "axes"_a = py::none(),
            py::kw_only(), "exact"_a = false, "wrap"_a = true, "unit"_a = py::none(), "seed"_a = 0,
            "order"_a = "automatic", "threads"_a = 0, "progress"_a = py::none(), "memory_limit"_a = py::none(),
            "time_limit"_a = py::none())
-      .def_property_readonly("weights", &weights_of, "The weights, (n,) float64.")
-      .def(py::pickle(&state,
-                      [](const py::tuple& given) { return restored<HeldPeriodicRegular>(given, true); }));
+      .def_property_readonly("weights", &periodic_weights, "The weights, (n,) float64.")
+      .def(py::pickle(&periodic_state, [](const py::tuple& given) {
+        return restored_periodic<HeldPeriodicRegular>(given, true);
+      }));
 }
 
 }  // namespace delone::python

@@ -37,19 +37,7 @@ wrap : bool, default True
     Accept points outside of the box.
 unit : float, optional
     Coordinates are multiples of this number, as 0.001 for data with three decimals: then ties of the decimal numbers are ties.
-seed : int, default 0
-    Seed of the random choices of the insertion order.
-order : {'automatic', 'as_given', 'shuffled'}, default 'automatic'
-    Order of the insertions. The result does not depend on it.
-threads : int, default 0
-    The most threads that insert; 0: one per core if there are enough points.
-progress : bool or callable, optional
-    True for a bar; or a function of the fraction done, which stops the construction if it returns false.
-memory_limit : int, optional
-    The most memory, in bytes, that the process may use.
-time_limit : float, optional
-    The most seconds that one insertion may take.
-
+)" DELONE_DOC_OF_BUILD_ARGUMENTS R"(
 Raises
 ------
 InputError
@@ -81,10 +69,10 @@ A simple cubic lattice with one point per box has six cells, all at translates o
 >>> t.num_cells, t.is_simplicial
 (6, False)
 >>> t.cell_offsets[0]
-array([[0, 0, 0],
-       [1, 1, 1],
-       [0, 1, 1],
-       [0, 0, 1]], dtype=int32)
+array([[ 1, -1, -1],
+       [ 1,  0, -1],
+       [ 0,  0,  0],
+       [ 1, -1,  0]], dtype=int32)
 
 A slab is periodic along two axes:
 
@@ -106,9 +94,11 @@ lattice : float, (d,) or (r, d) array_like, or ase.cell.Cell
     As for `PeriodicDelaunay`.
 axes : sequence of int or of bool, optional
     As for `PeriodicDelaunay`.
-exact, wrap, unit, seed, order, threads, progress, memory_limit, time_limit
+exact, wrap : bool
     As for `PeriodicDelaunay`.
-
+unit : float, optional
+    As for `PeriodicDelaunay`.
+)" DELONE_DOC_OF_BUILD_ARGUMENTS R"(
 Raises
 ------
 InputError
@@ -126,7 +116,7 @@ Regular : Without a lattice.
 Examples
 --------
 >>> import delone
->>> t = delone.PeriodicRegular([[0.2, 0.2], [0.25, 0.2], [0.7, 0.6]], [0.04, 0.0, 0.01], 1.0)
+>>> t = delone.PeriodicRegular([[0.2, 0.2], [0.25, 0.2], [0.7, 0.6]], [0.09, 0.0, 0.01], 1.0)
 >>> t.vertex_of_point
 array([ 0, -1,  2], dtype=int32))";
 
@@ -143,7 +133,9 @@ inline constexpr const char* vertex_of_point = R"(
 The row of the vertex at each point, (n,) int: of points that are translates of each other the first; -1 for hidden points.)";
 inline constexpr const char* point_offsets = R"(
 The translations of points from their vertices, (n, r) int32; 0 for vertices and hidden points.)";
+inline constexpr const char* statistics = R"(
+What the construction has cost, a dict, as `Delaunay.statistics`.)";
 inline constexpr const char* hash = R"(
-The hash of the periodic set and its cells, 32 hexadecimal digits; the same whichever translates and basis were given. Cost: O(n d r + m k d).)";
+The hash of the periodic set and its cells, 32 hexadecimal digits; the same whichever translates and basis were given.)";
 
 }  // namespace delone::python::docs::periodic
