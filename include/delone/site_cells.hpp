@@ -67,10 +67,10 @@ struct DELONE_EXPORT_TYPE SiteCells {
 /// cells inside the flat, as in Diagram; with a box, cells are those of R^d.
 ///
 /// A cell is the sum of signed pieces: simplices from the site over its faces of all dimensions to a center
-/// of a cell of the triangulation (docs/tasks/cells.md). A volume is off by at most 10⁻¹² times the sum of the
-/// absolute values of its pieces, as long as it is in the range of normal numbers: where rounding errors may
-/// be larger, pieces come from wider arithmetic. In a box this holds for the cells that lie inside; others
-/// are cut, as by Diagram::region_volumes().
+/// of a cell of the triangulation (docs/tasks/cells.md). A volume is off by at most 10⁻¹² times the sum of
+/// the absolute values of its pieces, as long as it is in the range of normal numbers: where rounding errors
+/// may be larger, pieces come from wider arithmetic. In a box this holds for the cells that lie inside;
+/// others are cut, as by Diagram::region_volumes().
 ///
 /// No result depends on the number of threads, nor on the order of insertion, to the last bit. Cost: time and
 /// memory O(m·2^k·k²) and O(output) for m cells of the triangulation, and what cells outside of the box cost.
