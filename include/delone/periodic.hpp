@@ -24,16 +24,16 @@ namespace delone {
 /// The translations of a periodic set: all sums of integer multiples of r ≤ d linearly independent vectors of
 /// R^d, in any position and of either orientation. In the directions orthogonal to them the set is not
 /// periodic: a slab has two vectors in space, a wire one.
-struct DELONE_EXPORT_TYPE Lattice {
+struct DELONE_EXPORT Lattice {
   int dimension = 0;            ///< d
   std::vector<double> vectors;  ///< r×d, row by row
 
   int rank() const { return dimension < 1 ? 0 : static_cast<int>(vectors.size()) / dimension; }
   /// That of a box with these sides along the axes.
-  DELONE_EXPORT static Lattice box(std::span<const double> lengths);
+  static Lattice box(std::span<const double> lengths);
   /// The same for a set that is periodic along these axes only; other lengths do not matter. Throws
   /// Errc::invalid_argument unless axes are different and 0 … d−1.
-  DELONE_EXPORT static Lattice box(std::span<const double> lengths, std::span<const int> axes);
+  static Lattice box(std::span<const double> lengths, std::span<const int> axes);
 };
 
 /// What is done with the input of a periodic triangulation.

@@ -233,8 +233,14 @@ def save(self, path, format: Optional[str] = None, *, qhull: Optional[str] = Non
     -----
     The file appears whole or not at all. npz and json keep the names of columns.
     """
+    _refuse_uninitialized(self)
     called = names(self)
     self._save(*_destination(path, format, qhull), called)
+
+
+def _refuse_uninitialized(product) -> None:
+    """An object whose __init__ has not run says so before arguments are looked at."""
+    product.dimension
 
 
 def save_diagram(self, path, format: Optional[str] = None, *, box: Optional[npt.ArrayLike] = None, qhull: Optional[str] = None) -> None:

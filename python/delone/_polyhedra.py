@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import os
-from fractions import Fraction
-from typing import Iterator, NamedTuple, Optional, Union
+from typing import TYPE_CHECKING, Iterator, NamedTuple, Optional, Union
 
 import numpy as np
 
 from . import _core
 from ._files import _max_stream_bytes
+
+if TYPE_CHECKING:
+    from fractions import Fraction
 
 
 class Optimum(NamedTuple):

@@ -123,8 +123,9 @@ array([ 0, -1,  2], dtype=int32))";
 inline constexpr const char* cells = R"(
 The cells, (m, k+1) int: vertices as rows of `points`, positively oriented when k = d. The points are translated by `cell_offsets`.)";
 inline constexpr const char* cell_offsets = R"(
-The translations of the vertices of cells, (m, k+1, r) int32: vertex i of cell c is
-``points[cells[c, i]] + cell_offsets[c, i] @ lattice``. 0 for the lexicographically smallest vertex of a cell.)";
+The translations of the vertices of cells, (m, k+1, r) int32.
+
+Vertex i of cell c is ``points[cells[c, i]] + cell_offsets[c, i] @ lattice``. 0 for the lexicographically smallest vertex of a cell.)";
 inline constexpr const char* neighbors = R"(
 The neighbors of cells, (m, k+1) int: number i is across the facet opposite vertex i; -1 outside, in directions that are not periodic.)";
 inline constexpr const char* neighbor_offsets = R"(

@@ -28,6 +28,9 @@ QUICK = {
     "delone.Regular": "__copy__ __getstate__ clone hidden num_hidden weights",
     "delone.HalfspaceIntersection": "__getstate__ columns dimension halfspaces num_halfspaces plot rank state statistics to_meshio to_pyvista "
                                     "to_vtk",
+    "delone._core.PeriodicTriangulation": "__len__ __repr__ affine_dimension dimension displacement lattice num_cells num_duplicates num_ghosts num_hidden "
+                                          "num_points num_vertices point_offsets points rank statistics vertex_of_point",
+    "delone.PeriodicRegular": "weights",
     "delone.PolyhedraVertices": "__getitem__ __init__ __iter__ __len__ __repr__",
     "delone.Polyhedron": "__repr__ affine_dimension dimension empty facets_of_ray facets_of_vertex is_bounded is_empty num_equations num_inequalities "
                          "num_lines num_rays num_vertices rays_of_facet redundant_rows row_kinds space vertices_of_facet",
@@ -167,6 +170,11 @@ LONG = {
     "delone.HalfspaceIntersection.volume": ("made = delone.HalfspaceIntersection(halfspaces(40, 7), [0] * 7)", "made.volume"),
     "delone.HalfspaceIntersection.dual_volume": ("made = delone.HalfspaceIntersection(halfspaces(2000, 7), [0] * 7)", "made.dual_volume",
                                                  "dual_area"),
+    "delone.PeriodicDelaunay.__init__": ("", "delone.PeriodicDelaunay(random.random((300_000, 3)), 1.0)", "__getstate__"),
+    "delone.PeriodicRegular.__init__": ("", "delone.PeriodicRegular(random.random((200_000, 3)), random.random(200_000) * 1e-5, 1.0)", "__getstate__"),
+    "delone._core.PeriodicTriangulation.cells": ("t = delone.PeriodicDelaunay(random.random((300_000, 3)), 1.0)", "t.cells",
+                                                 "cell_offsets neighbors neighbor_offsets is_simplicial save to_data"),
+    "delone._core.PeriodicTriangulation.hash": ("t = delone.PeriodicDelaunay(random.random((300_000, 3)), 1.0)", "t.hash"),
     "delone.Polyhedron.__init__": ("", "delone.Polyhedron(sphere(60, 9), np.ones(60))",
                                    "from_generators convex_union image intersection minkowski_sum polar preimage projection"),
     "delone.Polyhedron.vertices": ("p = cube(17)", "p.vertices", "__getstate__ equation_integers equations inequalities inequality_integers line_integers "
@@ -299,7 +307,7 @@ def test_the_table_is_complete():
 
 def is_not_made(place):
     """Classes without a constructor of their own."""
-    return place in ("delone._core.Triangulation", "delone._core.Diagram", "delone.TrimResult", "delone.Faces", "delone.AlphaComplex",
+    return place in ("delone._core.Triangulation", "delone._core.Diagram", "delone._core.PeriodicTriangulation", "delone.TrimResult", "delone.Faces", "delone.AlphaComplex",
                      "delone.spatial._base.OfPoints")
 
 
