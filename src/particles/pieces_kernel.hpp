@@ -28,8 +28,8 @@ inline constexpr std::size_t most_lanes_dimension = 6;
 inline bool has_lanes(std::size_t k, std::size_t d) { return k == d && k >= 2 && k <= most_lanes_dimension; }
 
 /// The numbers that a neighbor is given by: d coordinates, then these.
-inline constexpr std::size_t square = 0;     ///< |e|²
-inline constexpr std::size_t alpha = 1;      ///< α
+inline constexpr std::size_t square = 0;  ///< |e|²
+inline constexpr std::size_t alpha = 1;   ///< α
 inline constexpr std::size_t magnitude = 2;  ///< s² = (|e|² + |w_0 − w|)²/|e|², so |e| ≤ s and 2|α| ≤ s·|e|
 inline constexpr std::size_t num_neighbor_numbers = 3;
 constexpr std::size_t record_size(std::size_t d) { return d + num_neighbor_numbers; }
