@@ -128,7 +128,7 @@ MUTANTS = [
     ("src/kernel/zero_by_primes.cpp", "sign of a residue", "sign", "x < 0 ? difference(0, size) : size", "size"),
     ("src/kernel/multiples_stage.cpp", "exact multiples", "bound", "unit, -x) == 0", "unit, -x) != 1"),
     ("src/kernel/multiples_stage.cpp", "rounded differences", "bound", "if (!((x - (difference - part)) - (y + part) == 0)) return std::nullopt;", ""),
-    ("src/kernel/multiples_stage.cpp", "room for elimination", "bound", "if (bits <= 31)", "if (bits <= 51)"),
+    ("src/kernel/multiples_stage.cpp", "room for elimination", "bound", "if (bits <= 31)", "if (bits <= 61)"),
     ("src/kernel/multiples_stage.cpp", "room for minors", "bound", "if (bits <= 62)", "if (bits <= 92)"),
     ("src/kernel/box_corners.hpp", "two values on an axis", "bound", "if (second != first) return std::nullopt;", ""),
     ("src/kernel/exact.cpp", "room for lifts", "bound", "if (lift_bits_ <= 126)", "if (lift_bits_ <= 140)"),

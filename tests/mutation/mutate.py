@@ -96,7 +96,8 @@ class Workshop:
         objects += [self.object_of(path, file, False) for path in self.sources
                     if path == file or (all_sources and file in self.depends[path])]
         program = self.work / "mutant"
-        command = ["g++", *map(str, objects), str(self.build / "src/libdelone.a"), "-lhwy", "-lfmt", "-o", str(program)]
+        # A library whose sources were joined has the rest of a file in the object of its neighbors: the first definition, the mutant's, is taken.
+        command = ["g++", "-Wl,--allow-multiple-definition", *map(str, objects), str(self.build / "src/libdelone.a"), "-lhwy", "-lfmt", "-o", str(program)]
         if not is_campaign:
             command += ["-lgmock", "-lgtest", "-lgtest_main", "-lpthread"]
         done = subprocess.run(command, capture_output=True, text=True)

@@ -79,6 +79,25 @@ TEST(OrientationOfMultiples, SaysNothingWrongOfRoundedMultiples) {
   EXPECT_GT(left, 20);
 }
 
+// Integers up to a thousand, with a row of ones: what does not fit is left alone.
+TEST(OrientationOfMultiples, LargeMultiples) {
+  std::mt19937_64 random(5);
+  std::uniform_int_distribution<int> multiples(-1000, 1000);
+  for (std::size_t n = 2; n <= 10; ++n)
+    for (std::size_t round = 0; round < test::scaled_size(100, 40); ++round) {
+      Points points = lattice(n, 1, random);
+      for (auto& row : points.rows)
+        for (double& x : row) x = multiples(random);
+      points.rows[0].assign(n, 1);
+      points.rows[n].assign(n, 0);
+      const auto sign = points.sign();
+      EXPECT_EQ(sign.has_value(), n <= 5);
+      if (sign) {
+        EXPECT_EQ(*sign, points.exact()) << n;
+      }
+    }
+}
+
 TEST(OrientationOfMultiples, LeavesOneUlpBesideALattice) {
   std::mt19937_64 random(3);
   Points points = lattice(3, 1, random);
