@@ -61,14 +61,18 @@ class Refinement {
     grid.include(shell.boundary()->center().data());
     for (const std::size_t i : in_doubt) grid.include(point(i).data());
     std::vector<std::size_t> beyond;
-    for (const std::size_t i : in_doubt)
-      if (locator.locate_from(growth.cell_of(i), point(i).data(), grid).side == Sign::negative)
-        beyond.push_back(i);
+    std::vector<char> is_inside(sieve_.num_remaining(), 0);
+    for (const std::size_t i : in_doubt) {
+      const Sign side = locator.locate_from(growth.cell_of(i), point(i).data(), grid).side;
+      if (side == Sign::negative) beyond.push_back(i);
+      if (side == Sign::positive) is_inside[i] = 1;
+    }
     // The others are in this shell, and in larger ones.
     if (!beyond.empty()) {
       before_ = std::make_unique<HullState>(shell);
       sieve_.add_to_shell(beyond);
     }
+    sieve_.remove(is_inside);
     return true;
   }
 
