@@ -41,7 +41,7 @@ class Option:
     @property
     def sentence(self):
         """What it is, with its limits."""
-        return ". ".join([self.text.rstrip(".")] + [f"From {self.limits}"] * bool(self.limits) + ["Required"] * self.required) + "."
+        return ". ".join([self.text.rstrip(".")] + [self.limits] * bool(self.limits) + ["Required"] * self.required) + "."
 
 
 @dataclasses.dataclass
@@ -60,7 +60,7 @@ class Command:
 
 
 # The types and checks of CLI11, between a value's name and the words REQUIRED, Excludes: and Needs:.
-LEFT = re.compile(r"(?P<names>\S+)(?: (?!REQUIRED|Needs:|Excludes:)(?P<value>[^\s:{]+)(?::(?P<check>\{[^}]*\}|\w+ in \[[^\]]*\]))?)?(?P<repeated> \.\.\.)?"
+LEFT = re.compile(r"(?P<names>\S+)(?: (?!REQUIRED|Needs:|Excludes:)(?P<value>[^\s:{]+)(?::(?P<check>\{[^}]*\}|\w+ in \[[^\]]*\]|POSITIVE))?)?(?P<repeated> \.\.\.)?"
                   r"(?P<required> REQUIRED)?(?: Needs: (?P<needs>.+?))?(?: Excludes: (?P<excludes>.+?))?")
 
 
@@ -75,8 +75,10 @@ def parse_option(left, text):
     option = Option(names, {"TEXT": "WORD", "UINT": "N", "INT": "N", "FLOAT": "X"}.get(value, value), text=text)
     if check.startswith("{"):
         option.choices = check[1:-1].split(",")
+    elif check == "POSITIVE":
+        option.limits = "Above 0"
     elif check:
-        option.limits = " to ".join(check[check.index("[") + 1:-1].split(" - "))
+        option.limits = "From " + " to ".join(check[check.index("[") + 1:-1].split(" - "))
     option.required, option.repeated = bool(found["required"]), bool(found["repeated"])
     option.excludes = (found["excludes"] or "").split()
     return option

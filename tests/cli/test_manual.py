@@ -27,7 +27,8 @@ class Reading(unittest.TestCase):
             "-q,--quiet": manual.Option(["-q", "--quiet"]),
             "--weights COLUMN|FILE REQUIRED": manual.Option(["--weights"], "COLUMN|FILE", required=True),
             "--format TEXT:{npy,csv}": manual.Option(["--format"], "WORD", ["npy", "csv"]),
-            "-d,--dimension INT:INT in [1 - 9] REQUIRED": manual.Option(["-d", "--dimension"], "N", limits="1 to 9", required=True),
+            "-d,--dimension INT:INT in [1 - 9] REQUIRED": manual.Option(["-d", "--dimension"], "N", limits="From 1 to 9", required=True),
+            "--unit LENGTH:POSITIVE Needs: --lattice": manual.Option(["--unit"], "LENGTH", limits="Above 0"),
             "--lower Excludes: --upper": manual.Option(["--lower"], excludes=["--upper"]),
             "--box LOW,...,HIGH,... ...": manual.Option(["--box"], "LOW,...,HIGH,...", repeated=True),
             "IN REQUIRED": manual.Option(["IN"], "IN", required=True),
@@ -86,7 +87,8 @@ class Manual(unittest.TestCase):
         for command in self.others:
             for option in command.options:
                 if option.choices or option.limits:
-                    bad = "no_such_word" if option.choices else str(int(option.limits.split()[-1]) + 1)
+                    limit = int(option.limits.split()[-1]) if option.limits else 0
+                    bad = "no_such_word" if option.choices else str(limit if option.limits.startswith("Above") else limit + 1)
                     done = run(DELONE, *command.name.split()[1:], option.names[-1], bad)
                     self.assertEqual(done.returncode, 64, (command.name, option.names))
                     self.assertIn(option.names[-1], done.stderr)

@@ -207,7 +207,8 @@ TEST(SiteCells, NeighborsAreMutual) {
         EXPECT_EQ(cells.distances[i], cells.distances[j]);
         if (std::isinf(cells.face_areas[i])) {
           EXPECT_EQ(cells.face_areas[i], cells.face_areas[j]);
-        } else if (set.name != "nudged_grid") {
+        } else if (cells.volumes[static_cast<std::size_t>(ends.first)] < vast &&
+                   cells.volumes[static_cast<std::size_t>(ends.second)] < vast) {
           const double size = std::pow(cells.distances[i], t.affine_dimension() - 1);
           EXPECT_NEAR(cells.face_areas[i], cells.face_areas[j], 1e-9 * (cells.face_areas[i] + size));
         }

@@ -33,7 +33,8 @@ class Search {
     sieve_.run();
     if (!sieve_.has_shell()) return std::nullopt;
     GrowingShell growth(sieve_, tolerance_, [&] { meter_(0); });
-    if (!growth.is_possible() || !is_far_from_flats() || !growth.run({.vertices = most_work / n_})) return std::nullopt;
+    if (!growth.is_possible() || !is_far_from_flats() || !growth.run({.vertices = most_work / n_}))
+      return std::nullopt;
     // Equal rows would be one site.
     if (shell().sites().size() != sieve_.shell_rows().size() || !all_are_necessary()) return std::nullopt;
     return result(growth.covered());
