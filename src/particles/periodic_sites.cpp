@@ -5,30 +5,22 @@
 #include "periodic/stored_set.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 namespace delone::particles {
 
 PeriodicSites::PeriodicSites(const PeriodicTriangulation& triangulation)
     : set_(periodic::StoredSet::set(triangulation)),
       ghosts_(periodic::StoredSet::ghosts(triangulation)),
-      given_(triangulation.points()) {}
+      given_(triangulation.points()),
+      has_wraps_(std::ranges::any_of(set_.wraps, [](std::int32_t k) { return k != 0; })) {}
 
 VertexOrder PeriodicSites::order() const {
   const Complex complex = triangulation().complex();
   VertexOrder order;
-  std::vector<Index> ghosts;
   order.ids.push_back(index(infinite_vertex));
-  std::vector<Index> own(num_rows(), invalid_index);
-  for (Index v = 1; v < complex.num_vertex_slots(); ++v) {
-    if (!complex.is_vertex(VertexId{v})) continue;
-    if (has_cell(v))
-      own[row_of(v)] = v;
-    else
-      ghosts.push_back(v);
-  }
-  std::copy_if(own.begin(), own.end(), std::back_inserter(order.ids),
-               [](Index v) { return v != invalid_index; });
+  std::vector<Index> ghosts;
+  for (Index v = 1; v < complex.num_vertex_slots(); ++v)
+    if (complex.is_vertex(VertexId{v})) (has_cell(v) ? order.ids : ghosts).push_back(v);
   order.last_site = static_cast<Index>(order.ids.size() - 1);
   internal::QuickRounds round;
   std::sort(ghosts.begin(), ghosts.end(), [&](Index v, Index w) {
@@ -47,12 +39,14 @@ VertexOrder PeriodicSites::order() const {
 void PeriodicSites::find_offsets(Index site, std::span<const Index> vertices,
                                  std::vector<std::int32_t>& offsets) const {
   const std::size_t r = set_.rank;
-  offsets.resize(vertices.size() * r);
+  offsets.assign(vertices.size() * r, 0);
   const std::int32_t* const of_site = set_.wraps.data() + row_of(site) * r;
   std::vector<std::int64_t> sum(r);
   for (std::size_t slot = 0; slot < vertices.size(); ++slot) {
-    const auto shift = ghosts_.offset_of(VertexId{vertices[slot]});
-    const std::int32_t* const of_vertex = set_.wraps.data() + row_of(vertices[slot]) * r;
+    const Index v = vertices[slot];
+    if (!has_wraps_ && has_cell(v)) continue;
+    const auto shift = ghosts_.offset_of(VertexId{v});
+    const std::int32_t* const of_vertex = set_.wraps.data() + row_of(v) * r;
     for (std::size_t i = 0; i < r; ++i) sum[i] = std::int64_t{shift[i]} + of_site[i] - of_vertex[i];
     set_.to_given_basis(sum, offsets.data() + slot * r);
   }

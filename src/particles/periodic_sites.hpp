@@ -30,8 +30,9 @@ class PeriodicSites {
   bool has_cell(Index v) const { return ghosts_.is_own(VertexId{v}); }
   /// The first row at the point of a vertex, or at the point that it is an image of.
   Index row_of(Index v) const { return ghosts_.image_of(VertexId{v}).row; }
-  /// Points of the set by row, then ghosts by row and translation: which ghosts there are, and their ids, may
-  /// depend on threads, but not the order of those at a point of the set.
+  /// Points of the set by id, which follows a curve in space, then ghosts by row and translation: which
+  /// ghosts there are, and so their ids, may depend on threads, but not the order of those that are neighbors
+  /// of a point of the set.
   VertexOrder order() const;
 
   /// Of each vertex the translation from where its row was given, as `rank` numbers, if the site is where its
@@ -50,6 +51,7 @@ class PeriodicSites {
   const periodic::PeriodicSet& set_;
   const periodic::GhostTriangulation& ghosts_;
   std::span<const double> given_;
+  bool has_wraps_;  // whether points were given outside of the box
 };
 
 }  // namespace delone::particles

@@ -19,7 +19,7 @@ namespace delone::particles {
 struct VertexOrder {
   std::vector<Index> ids;    ///< by rank; the infinite vertex is first
   std::vector<Index> ranks;  ///< by vertex id
-  Index last_site = 0;       ///< the rank of the last vertex that has a star
+  Index last_site = 0;       ///< the rank of the last vertex whose star is wanted
 };
 
 class Stars {

@@ -395,9 +395,9 @@ TEST(PeriodicCells, DoNotDependOnThreads) {
       const SiteCells expected =
           site_cells(PeriodicDelaunay<>(PointsView(points, 3), lattice, {}, {.threads = 1}), options);
       for (const unsigned threads : {2u, 4u}) {
-        const SiteCells found = site_cells(
-            PeriodicDelaunay<>(PointsView(points, 3), lattice, {}, {.seed = 7, .threads = threads}), options,
-            {.threads = threads});
+        const SiteCells found =
+            site_cells(PeriodicDelaunay<>(PointsView(points, 3), lattice, {}, {.threads = threads}), options,
+                       {.threads = threads});
         EXPECT_TRUE(test::are_same_bits(found.volumes, expected.volumes));
         EXPECT_TRUE(test::are_same_bits(found.centroids, expected.centroids));
         EXPECT_TRUE(test::are_same_bits(found.areas, expected.areas));
