@@ -3,6 +3,7 @@
 #include "box_option.hpp"
 #include "interrupt.hpp"
 #include "memory_limit.hpp"
+#include "periodic.hpp"
 #include "report.hpp"
 #include "weighted_input.hpp"
 
@@ -15,6 +16,7 @@
 #include <memory>
 #include <numeric>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 namespace delone::cli {
@@ -24,8 +26,12 @@ struct CellsOptions {
   WeightedInput weighted;  // the points, perhaps with weights
   BuildOptions build;
   std::vector<double> box;  // low by axis, then high
+  PeriodicInput periodic;
   bool neighbors = false, proper = false;
 };
+
+template <class T>
+constexpr bool is_periodic = std::is_base_of_v<PeriodicTriangulation, T>;
 
 const std::vector<std::string>& cells_formats() {
   static const std::vector<std::string> formats{"npz", "csv"};
@@ -42,21 +48,26 @@ double volume_of_bounded(const SiteCells& cells) {
                          [](double sum, double v) { return std::isinf(v) ? sum : sum + v; });
 }
 
-Json stats(const Triangulation& t, const SiteCells& cells, const Cost& cost, const CellsOptions& options) {
+template <class T>
+Json stats(const T& t, const SiteCells& cells, const Cost& cost, const CellsOptions& options) {
   const Counts counts = counts_of(t, t.hash().hex());
   Json json = stats_of("cells", counts);
   json["unbounded_cells"] = num_unbounded(cells);
   json["volume"] = volume_of_bounded(cells);
+  if constexpr (is_periodic<T>) add_periodic(json, t);
   add_cost(json, t.statistics(), counts.cells + counts.infinite_cells, cost, options.build.seed);
   return json;
 }
 
-Summary summary(const Triangulation& t, const SiteCells& cells, const Cost& cost,
-                const CellsOptions& options) {
+template <class T>
+Summary summary(const T& t, const SiteCells& cells, const Cost& cost, const CellsOptions& options) {
   const Counts counts = counts_of(t, {});
-  return Summary(options.weighted.input.path, fmt::format("Cells of {} in dimension {}",
-                                                          counted(counts.points, "point"), counts.dimension))
-      .affine_dimension(counts.affine_dimension, counts.dimension, "the cells inside the flat")
+  Summary summary(options.weighted.input.path,
+                  fmt::format("{}ells of {} in dimension {}", is_periodic<T> ? "Periodic c" : "C",
+                              counted(counts.points, "point"), counts.dimension));
+  summary.affine_dimension(counts.affine_dimension, counts.dimension, "the cells inside the flat");
+  if constexpr (is_periodic<T>) add_periodic(summary, t);
+  return summary
       .line("cells",
             fmt::format("{}, {} of them unbounded ({} hidden, {} duplicate points)", t.num_vertices(),
                         num_unbounded(cells), num_hidden(counts), counts.duplicates))
@@ -118,8 +129,27 @@ int run_cells(const CellsOptions& options) {
   cost.read = seconds_since(start);
   check_outputs(options);
   const std::optional<Box> box = chosen_box(options.box, table.dimension);
-  about(input_name(options.weighted.input.path), [&] { warn_of_memory(table, options.build); });
   const auto taken = [&] { return std::exchange(table, PointTable{}); };  // freed after the triangulation
+  if (options.periodic.is_wanted()) {
+    const Lattice lattice = options.periodic.read(table.dimension);
+    const PeriodicOptions how = options.periodic.options();
+    if (weighted)
+      return run_with(
+          [&](const Options& build_options) {
+            const PointTable points = taken();
+            return PeriodicRegular<>(PointsView(points.coordinates, points.dimension), weights, lattice, how,
+                                     build_options);
+          },
+          box, cost, start, options);
+    return run_with(
+        [&](const Options& build_options) {
+          const PointTable points = taken();
+          return PeriodicDelaunay<>(PointsView(points.coordinates, points.dimension), lattice, how,
+                                    build_options);
+        },
+        box, cost, start, options);
+  }
+  about(input_name(options.weighted.input.path), [&] { warn_of_memory(table, options.build); });
   if (weighted)
     return run_with(
         [&](const Options& build_options) {
@@ -150,6 +180,8 @@ Run add_cells(CLI::App& app) {
                "Count only faces with an area, decided exactly, where many points have one empty sphere");
   add_threads(app, options->build.threads);
   options->build.add_construction(app);
+  options->periodic.add_to(app);
+  app.get_option("--lattice")->excludes("--box");
   return [options] { return run_cells(*options); };
 }
 

@@ -55,17 +55,6 @@ std::vector<double> vectors_of_lengths(const std::string& text, std::size_t d) {
   return Lattice::box(lengths).vectors;
 }
 
-Counts counts_of_periodic(const PeriodicTriangulation& t) {
-  return {t.dimension(),
-          t.affine_dimension(),
-          t.num_points(),
-          t.num_vertices(),
-          t.num_duplicates(),
-          t.num_cells(),
-          0,
-          t.hash().hex()};
-}
-
 std::shared_ptr<const PeriodicTriangulation> triangulate(const PointTable& table,
                                                          const std::vector<double>* weights,
                                                          const Lattice& lattice, const PeriodicOptions& how,
@@ -120,6 +109,28 @@ Lattice PeriodicInput::read(int dimension) const {
   return chosen;
 }
 
+Counts counts_of(const PeriodicTriangulation& t, std::string hash) {
+  return {t.dimension(),
+          t.affine_dimension(),
+          t.num_points(),
+          t.num_vertices(),
+          t.num_duplicates(),
+          t.num_cells(),
+          0,
+          std::move(hash)};
+}
+
+void add_periodic(Json& json, const PeriodicTriangulation& t) {
+  json["periodic_directions"] = t.rank();
+  json["displacement"] = t.displacement();
+  json["ghosts"] = t.num_ghosts();
+}
+
+Summary& add_periodic(Summary& summary, const PeriodicTriangulation& t) {
+  return summary.line("periodic", counted(static_cast<std::size_t>(t.rank()), "direction"))
+      .line("displacement", fmt::format("{}", t.displacement()));
+}
+
 int run_periodic(const char* command, const PointInput& input, const PointTable& table,
                  const std::vector<double>* weights, const PeriodicInput& periodic, const BuildOptions& build,
                  Clock::time_point start, Cost cost) {
@@ -151,22 +162,19 @@ int run_periodic(const char* command, const PointInput& input, const PointTable&
   print_report(
       build, writes,
       [&] {
-        Json json = stats_of(command, counts_of_periodic(*triangulation), triangulation->statistics(), cost,
-                             build.seed);
-        json["periodic_directions"] = triangulation->rank();
-        json["displacement"] = triangulation->displacement();
-        json["ghosts"] = triangulation->num_ghosts();
+        Json json = stats_of(command, counts_of(*triangulation, triangulation->hash().hex()),
+                             triangulation->statistics(), cost, build.seed);
+        add_periodic(json, *triangulation);
         json["is_simplicial"] = triangulation->is_simplicial();
         return json;
       },
       [&] {
-        const Counts counts = counts_of_periodic(*triangulation);
-        return Summary(input.path, fmt::format("periodic {} triangulation of {} in dimension {}",
-                                               weights != nullptr ? "regular" : "Delaunay",
-                                               counted(counts.points, "point"), counts.dimension))
-            .affine_dimension(counts.affine_dimension, counts.dimension, "triangulated inside its flat")
-            .line("periodic", counted(static_cast<std::size_t>(triangulation->rank()), "direction"))
-            .line("displacement", fmt::format("{}", triangulation->displacement()))
+        const Counts counts = counts_of(*triangulation, triangulation->hash().hex());
+        Summary summary(input.path, fmt::format("periodic {} triangulation of {} in dimension {}",
+                                                weights != nullptr ? "regular" : "Delaunay",
+                                                counted(counts.points, "point"), counts.dimension));
+        summary.affine_dimension(counts.affine_dimension, counts.dimension, "triangulated inside its flat");
+        return add_periodic(summary, *triangulation)
             .line("vertices", fmt::format("{} ({} hidden, {} duplicate points)", counts.vertices,
                                           num_hidden(counts), counts.duplicates))
             .line("cells",

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Periodic input of the commands `delaunay` and `regular`: --lattice and what goes with it.
+// Periodic input of the commands `delaunay`, `regular` and `cells`: --lattice and what goes with it.
 #pragma once
 
 #include "build_options.hpp"
 #include "command.hpp"
 #include "cost.hpp"
+#include "report.hpp"
 
 #include <span>
 #include <string>
@@ -23,6 +24,11 @@ struct PeriodicInput {
   Lattice read(int dimension) const;
   PeriodicOptions options() const { return {.exact = exact, .unit = unit}; }
 };
+
+Counts counts_of(const PeriodicTriangulation& triangulation, std::string hash);
+/// Adds what reports say of periodic sets.
+void add_periodic(Json& json, const PeriodicTriangulation& triangulation);
+Summary& add_periodic(Summary& summary, const PeriodicTriangulation& triangulation);
 
 /// Triangulates points, with weights if there are some, and writes and reports as the command does.
 /// `command`: its name.

@@ -53,7 +53,7 @@ RULES = {
     "src/polyhedra": (PUBLIC, {"src/kernel", "src/base"}),
     "src/voronoi": (PUBLIC, {"src/triangulation", "src/solve", "src/kernel", "src/base"}),
     "src/faces": (PUBLIC, {"src/triangulation", "src/solve", "src/kernel", "src/base"}),
-    "src/particles": (PUBLIC, {"src/triangulation", "src/voronoi", "src/sites", "src/solve", "src/kernel", "src/base"}),
+    "src/particles": (PUBLIC, {"src/periodic", "src/triangulation", "src/voronoi", "src/sites", "src/solve", "src/kernel", "src/base"}),
     "src/check": (PUBLIC, {"src/periodic", "src/hull", "src/hull/tolerance", "src/halfspaces", "src/compiled", "src/complex", "src/kernel", "src/base"}),
     "src/point_sets": (BASICS | {"point_sets", "progress"}, {"src/base"}),
     "src/io": (PUBLIC, {"src/messages", "src/base"}),

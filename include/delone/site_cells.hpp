@@ -17,6 +17,8 @@
 
 namespace delone {
 
+class PeriodicTriangulation;
+
 /// Which faces of a cell count.
 enum class CellFaces : std::uint8_t {
   /// One for each edge of the triangulation at the site. Where more than k+1 sites have one empty sphere,
@@ -45,6 +47,7 @@ struct SiteCellsOptions {
 /// neighbors.
 struct DELONE_EXPORT_TYPE SiteCells {
   int dimension = 1;                   ///< d
+  int rank = 0;                        ///< of a periodic set: r, the number of its lattice vectors
   std::vector<double> volumes;         ///< n; infinity for unbounded cells
   std::vector<double> centroids;       ///< n×d; NaN for unbounded cells
   std::vector<double> areas;           ///< n, of the surface of each cell; infinity for unbounded cells
@@ -59,6 +62,10 @@ struct DELONE_EXPORT_TYPE SiteCells {
   std::vector<double> distances;       ///< from the site to this neighbor; from the plane of a wall
   std::vector<SignedIndex>
       num_edges;  ///< of each face, the two rays of an unbounded one included; k = 3 only
+  /// Of a periodic set, r integers for each neighbor: it is the point of that row, where it was given, plus
+  /// Σ_j neighbor_lattice[i·r + j] · lattice vector j. Neighbors of one row are in lexicographic order of
+  /// these. A row may occur several times, also that of the cell itself.
+  std::vector<std::int32_t> neighbor_lattice;
 
   std::size_t num_rows() const { return volumes.size(); }
 };
@@ -72,12 +79,23 @@ struct DELONE_EXPORT_TYPE SiteCells {
 /// may be larger, pieces come from wider arithmetic. In a box this holds for the cells that lie inside;
 /// others are cut, as by Diagram::region_volumes().
 ///
-/// No result depends on the number of threads, nor on the order of insertion, to the last bit. Cost: time and
-/// memory O(m·2^k·k²) and O(output) for m cells of the triangulation, and what cells outside of the box cost.
-/// Throws Errc::invalid_argument (a furthest-site triangulation; a box or halfspaces as described for
-/// Diagram::clipped_regions(), halfspaces without a box), unsupported (k > 12), cancelled, out_of_memory.
+/// No result depends on the number of threads, to the last bit. The order of insertion, and so the seed, may
+/// change last bits, as sums follow it. Cost: time and memory O(m·2^k·k²) and O(output) for m cells of the
+/// triangulation, and what cells outside of the box cost. Throws Errc::invalid_argument (a furthest-site
+/// triangulation; a box or halfspaces as described for Diagram::clipped_regions(), halfspaces without a box),
+/// unsupported (k > 12), cancelled, out_of_memory.
 DELONE_EXPORT SiteCells site_cells(const Triangulation& triangulation, const SiteCellsOptions& options = {},
                                    const Execution& how = {});
+
+/// The cells of the points of a periodic set: of each class of translates, the cell around the point where it
+/// was given. So centroids may lie outside of the box, and where the set is periodic along all directions
+/// volumes add up to that of the box. Lengths are those of the points on the grid; see
+/// PeriodicTriangulation::displacement(). Where it is not periodic, cells at its hull are unbounded.
+///
+/// Accuracy, bits and cost are those of the cells of a triangulation. Throws as above; Errc::unsupported also
+/// for a box, and for offsets that do not fit into 32 bits.
+DELONE_EXPORT SiteCells site_cells(const PeriodicTriangulation& triangulation,
+                                   const SiteCellsOptions& options = {}, const Execution& how = {});
 
 /// Writes cells of sites:
 ///   npz   the arrays

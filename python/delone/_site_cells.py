@@ -11,7 +11,8 @@ class SiteCells:
     """The cells of the sites of a triangulation, as read-only arrays with an entry for each row of the points.
 
     The cell of a site belongs to the first row there. Rows without a cell (hidden, removed, or duplicates of earlier ones) have volume, area
-    and number of faces 0, centroid NaN and no neighbors. Made by `Delaunay.site_cells` and `Regular.site_cells`.
+    and number of faces 0, centroid NaN and no neighbors. Made by `Delaunay.site_cells`, `Regular.site_cells`, `PeriodicDelaunay.site_cells` and
+    `PeriodicRegular.site_cells`.
 
     Parameters
     ----------
@@ -33,6 +34,8 @@ class SiteCells:
         From the site to each neighbor, or to the wall.
     num_edges : ndarray of int, optional
         The number of edges of each face, the two rays of an unbounded one included; None unless cells have 3 dimensions.
+    neighbor_lattice : (f, r) ndarray of int32, optional
+        Of a periodic set with r lattice vectors: neighbor i is at ``points[neighbors[i]] + neighbor_lattice[i] @ lattice``. None for others.
 
     Examples
     --------
@@ -44,13 +47,14 @@ class SiteCells:
     [0, 1, 2, 3]
     """
 
-    __slots__ = ("areas", "centroids", "distances", "face_areas", "neighbor_offsets", "neighbors", "num_edges", "num_faces", "volumes")
+    __slots__ = ("areas", "centroids", "distances", "face_areas", "neighbor_lattice", "neighbor_offsets", "neighbors", "num_edges", "num_faces",
+                 "volumes")
 
     def __init__(self, volumes, centroids, areas, num_faces, neighbor_offsets=None, neighbors=None, face_areas=None, distances=None,
-                 num_edges=None):
+                 num_edges=None, neighbor_lattice=None):
         self.volumes, self.centroids, self.areas, self.num_faces = volumes, centroids, areas, num_faces
         self.neighbor_offsets, self.neighbors, self.face_areas = neighbor_offsets, neighbors, face_areas
-        self.distances, self.num_edges = distances, num_edges
+        self.distances, self.num_edges, self.neighbor_lattice = distances, num_edges, neighbor_lattice
 
     def __len__(self) -> int:
         return len(self.volumes)
@@ -66,7 +70,7 @@ class SiteCells:
         Returns
         -------
         ndarray of int
-            The rows of the sites that its cell has a face with; -1 for walls.
+            The rows of the sites that its cell has a face with; -1 for walls. In a periodic set a row may occur several times.
 
         Raises
         ------
@@ -139,11 +143,64 @@ def site_cells(self, *, neighbors=False, faces="triangulated", box=None, halfspa
     >>> cells.neighbors_of(0).tolist()
     [1, -1, -1, -1]
     """
-    if faces not in ("triangulated", "proper"):
-        raise ValueError(f"faces: 'triangulated' or 'proper', not {faces!r}")
     if halfspaces is not None:
         halfspaces = _core._doubles(halfspaces, "halfspaces")
         if halfspaces.ndim != 2 or halfspaces.shape[1] != self.dimension + 1:
             raise ValueError(f"halfspaces: an array of shape {halfspaces.shape}, not (m, {self.dimension + 1})")
-    arrays = self._site_cells(bool(neighbors), faces == "proper", box, halfspaces)
+    arrays = self._site_cells(bool(neighbors), _are_proper(faces), box, halfspaces)
     return SiteCells(*(arrays if neighbors else arrays[:4]))
+
+
+def periodic_site_cells(self, *, neighbors=False, faces="triangulated") -> SiteCells:
+    """Volumes, centroids, surfaces and neighbors of the cells of all points, each around the point where it was given.
+
+    Cells are those of the Voronoi diagram of the points and all their translates, with weights those of the power diagram.
+
+    Parameters
+    ----------
+    neighbors : bool, optional
+        Whether to list neighbors, areas of faces, distances, and by which lattice vectors each neighbor is translated.
+    faces : {"triangulated", "proper"}, optional
+        Which faces count. "triangulated": one for each edge of the triangulation at the point. Where more than d+1 points have one empty
+        sphere, some have no area; which ones, the triangulation says. "proper": those with an area, decided exactly.
+
+    Returns
+    -------
+    SiteCells
+        The arrays, by row of the points. A row may be a neighbor several times, with other translations, also that of the point itself.
+
+    Raises
+    ------
+    ValueError
+        If `faces` has another value.
+    Error
+        If d is larger than 12, or translations do not fit into 32 bits.
+
+    See Also
+    --------
+    Delaunay.site_cells : Of points without a lattice.
+
+    Notes
+    -----
+    If the set is periodic along all directions, volumes add up to that of the box. Otherwise cells at the hull are unbounded: volume and area are
+    infinity, the centroid is NaN. Accuracy is that of `Delaunay.site_cells`. Lengths are those of `points` and `lattice`, which are on a grid; see
+    `displacement`. Nothing depends on the number of threads.
+
+    Examples
+    --------
+    >>> import delone
+    >>> t = delone.PeriodicDelaunay([[0.25, 0.5]], 1.0)
+    >>> cells = t.site_cells(neighbors=True, faces="proper")
+    >>> cells.volumes.tolist(), cells.centroids.tolist()
+    ([1.0], [[0.25, 0.5]])
+    >>> cells.neighbors.tolist(), cells.neighbor_lattice.tolist()
+    ([0, 0, 0, 0], [[-1, 0], [0, -1], [0, 1], [1, 0]])
+    """
+    arrays = self._site_cells(bool(neighbors), _are_proper(faces))
+    return SiteCells(*(arrays if neighbors else arrays[:4]))
+
+
+def _are_proper(faces) -> bool:
+    if faces not in ("triangulated", "proper"):
+        raise ValueError(f"faces: 'triangulated' or 'proper', not {faces!r}")
+    return faces == "proper"

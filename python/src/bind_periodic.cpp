@@ -8,6 +8,7 @@
 #include "pickling.hpp"
 #include "running.hpp"
 #include "saving.hpp"
+#include "site_cells.hpp"
 
 #include <pybind11/stl.h>
 
@@ -28,11 +29,13 @@ class HeldPeriodic {
  public:
   using Held = std::shared_ptr<const PeriodicTriangulation>;
 
-  HeldPeriodic(Held held, PeriodicOptions options) : held_(std::move(held)), options_(options) {}
+  HeldPeriodic(Held held, PeriodicOptions options, int threads)
+      : held_(std::move(held)), options_(options), threads_(static_cast<unsigned>(threads)) {}
 
   const PeriodicTriangulation& get() const { return *held_; }
   const Held& owner() const { return held_; }
   const PeriodicOptions& options() const { return options_; }
+  unsigned threads() const { return threads_; }
   /// The answer of what may be made on first use.
   template <class Question>
   auto ask(Question question) const {
@@ -43,6 +46,7 @@ class HeldPeriodic {
  private:
   Held held_;
   PeriodicOptions options_;
+  unsigned threads_;
 };
 
 /// One C++ class for each Python class.
@@ -99,7 +103,7 @@ std::unique_ptr<HeldPeriodicDelaunay> construct_delaunay(
   return std::make_unique<HeldPeriodicDelaunay>(
       made(arguments, progress,
            [&](const Options& options) { return make_delaunay(numbers(rows), box, how, options); }),
-      how);
+      how, threads);
 }
 
 std::unique_ptr<HeldPeriodicRegular> construct_regular(
@@ -120,7 +124,7 @@ std::unique_ptr<HeldPeriodicRegular> construct_regular(
                                                       return make_regular(numbers(rows), numbers(of_rows),
                                                                           box, how, options);
                                                     }),
-                                               how);
+                                               how, threads);
 }
 
 py::ssize_t corners(const PeriodicTriangulation& t) {
@@ -173,8 +177,15 @@ Held restored_periodic(const py::tuple& given, bool is_regular) {
                        return is_regular ? make_regular(numbers(points), numbers(weights), box, how, options)
                                          : make_delaunay(numbers(points), box, how, options);
                      }),
-                how);
+                how, 0);
   });
+}
+
+py::tuple periodic_site_cells(const HeldPeriodic& held, bool neighbors, bool proper) {
+  const SiteCellsOptions options{.faces = proper ? CellFaces::proper : CellFaces::triangulated,
+                                 .neighbors = neighbors};
+  return as_tuple(held.ask(
+      [&](const PeriodicTriangulation& t) { return site_cells(t, options, {.threads = held.threads()}); }));
 }
 
 template <class Class>
@@ -264,6 +275,7 @@ void define_members(Class& type) {
            [](const HeldPeriodic& h) {
              return to_python(h.ask([](const PeriodicTriangulation& t) { return t.to_data(); }));
            })
+      .def("_site_cells", &periodic_site_cells, "neighbors"_a, "proper"_a)
       .def("__len__",
            [](const HeldPeriodic& h) {
              return h.ask([](const PeriodicTriangulation& t) { return t.num_cells(); });

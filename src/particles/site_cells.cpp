@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sites in parts, by vertex: the star of each, its measures, and its lists; these are put into the order of
-// rows at the end.
+// rows at the end. Those of a periodic set are vertices of its triangulation with ghosts.
 #include <delone/site_cells.hpp>
 
 #include "base/guarded.hpp"
@@ -8,6 +8,8 @@
 #include "base/progress_meter.hpp"
 #include "particles/cell_measure.hpp"
 #include "particles/clipped_cells.hpp"
+#include "particles/neighbor_lists.hpp"
+#include "particles/periodic_sites.hpp"
 #include "particles/proper_faces.hpp"
 #include "particles/stars.hpp"
 #include "triangulation/stored_points.hpp"
@@ -32,25 +34,13 @@ constexpr std::size_t vertices_in_part = 1024;
 /// The neighbors of a site by row, with their places in another list; −1 comes last.
 using Order = std::vector<std::pair<Index, std::uint32_t>>;
 
-/// The lists of some sites, one after the other.
-struct Lists {
-  std::vector<Index> rows;             // the sites
-  std::vector<std::uint32_t> lengths;  // by site
-  std::vector<SignedIndex> neighbors, num_edges;
-  std::vector<double> areas, distances;
-
-  /// The list of the next site will be in this order, which is sorted here.
-  void begin(std::size_t row, Order& order) {
-    std::sort(order.begin(), order.end());
-    rows.push_back(static_cast<Index>(row));
-    lengths.push_back(static_cast<std::uint32_t>(order.size()));
-  }
-};
-
 class SiteCellsMaker {
  public:
-  SiteCellsMaker(const Triangulation& triangulation, const SiteCellsOptions& options, unsigned threads)
+  /// `periodic`: null, or whose triangulation it is.
+  SiteCellsMaker(const Triangulation& triangulation, const PeriodicSites* periodic,
+                 const SiteCellsOptions& options, unsigned threads)
       : triangulation_(triangulation),
+        periodic_(periodic),
         options_(options),
         threads_(threads),
         complex_(triangulation.complex()),
@@ -66,7 +56,7 @@ class SiteCellsMaker {
       measure_lone_site();
     else if (k_ > 0)
       measure();
-    if (options_.neighbors) join_lists();
+    if (options_.neighbors) join_lists(lists_, dimension_of_cells() == 3, threads_, cells_);
     return std::move(cells_);
   }
 
@@ -84,42 +74,55 @@ class SiteCellsMaker {
     std::optional<ProperFaces> faces;
     std::optional<CellClipper> clipper;
     Order order;
+    std::vector<std::int32_t> offsets;  // of neighbors in a periodic set
   };
 
   void start();
   void measure_lone_site();
   void measure();
-  void measure_site(Index v, const Stars& stars, Worker& worker, Lists& lists);
-  void clip(Index v, std::span<const Index> neighbors, CellClipper& clipper, Order& order, Lists& lists);
-  void join_lists();
+  void measure_all(const Stars& stars);
+  void measure_site(Index v, const Stars& stars, Worker& worker, NeighborLists& lists);
+  void sort_neighbors(Index v, Worker& worker) const;
+  void clip(Index v, std::span<const Index> neighbors, CellClipper& clipper, Order& order,
+            NeighborLists& lists);
   bool is_inside(std::span<const Index> cells) const;
   bool are_proper() const { return options_.faces == CellFaces::proper; }
   /// The dimension of the cells: with a box that of the space.
   std::size_t dimension_of_cells() const { return container_ ? d_ : k_; }
+  bool has_cell(Index v) const {
+    return row_of_vertex_[v] != invalid_index && (periodic_ == nullptr || periodic_->has_cell(v));
+  }
+  /// A volume of so many dimensions as a number of the caller.
+  double outer(double volume, std::size_t dimension) const {
+    return periodic_ == nullptr ? volume : periodic_->outer(volume, dimension);
+  }
   void set_centroid(std::size_t row, Index v, std::span<const double> offset) {
+    const double* const site = periodic_ == nullptr ? points_.point(v) : periodic_->given_point(row);
     for (std::size_t j = 0; j < offset.size(); ++j)
-      cells_.centroids[row * d_ + j] = points_.point(v)[j] + offset[j];
+      cells_.centroids[row * d_ + j] = site[j] + outer(offset[j], 1);
   }
 
   const Triangulation& triangulation_;
+  const PeriodicSites* periodic_;
   const SiteCellsOptions& options_;
   unsigned threads_;
   Complex complex_;
   const sites::VertexPoints& points_;
   std::size_t k_, d_;
   std::optional<Container> container_;
-  std::vector<Index> row_of_vertex_;
+  std::vector<Index> row_of_vertex_;  // of a ghost, that of the point that it is an image of
   int unit_ = 0;
   std::optional<SphereClasses> classes_;  // if only proper faces count
   std::vector<unsigned char> inside_;     // by cell of the triangulation; empty: none is known to be
-  std::vector<Lists> lists_;              // by part
+  std::vector<NeighborLists> lists_;      // by part
   SiteCells cells_;
 };
 
 /// Rows and the unit. Differences of coordinates that may be out of range are taken of smaller numbers.
 void SiteCellsMaker::start() {
-  const std::size_t n = triangulation_.num_rows();
+  const std::size_t n = periodic_ == nullptr ? triangulation_.num_rows() : periodic_->num_rows();
   cells_.dimension = triangulation_.dimension();
+  if (periodic_ != nullptr) cells_.rank = static_cast<int>(periodic_->rank());
   cells_.volumes.assign(n, 0.0);
   cells_.centroids.assign(n * d_, std::numeric_limits<double>::quiet_NaN());
   cells_.areas.assign(n, 0.0);
@@ -128,7 +131,8 @@ void SiteCellsMaker::start() {
   double largest = 0;
   for (Index v = 1; v < complex_.num_vertex_slots(); ++v) {
     if (!complex_.is_vertex(VertexId{v})) continue;
-    row_of_vertex_[v] = static_cast<Index>(triangulation_.row_of(VertexId{v}));
+    row_of_vertex_[v] =
+        periodic_ == nullptr ? static_cast<Index>(triangulation_.row_of(VertexId{v})) : periodic_->row_of(v);
     const double* const p = points_.point(v);
     for (std::size_t j = 0; j < points_.row_size(); ++j) largest = std::max(largest, std::abs(p[j]));
   }
@@ -149,8 +153,14 @@ void SiteCellsMaker::measure_lone_site() {
 }
 
 void SiteCellsMaker::measure() {
+  if (periodic_ == nullptr)
+    measure_all(Stars(complex_));
+  else
+    measure_all(Stars(complex_, periodic_->order()));
+}
+
+void SiteCellsMaker::measure_all(const Stars& stars) {
   const std::size_t slots = complex_.num_vertex_slots();
-  const Stars stars(complex_);
   if (are_proper()) {
     const std::vector<int> axes = triangulation_.axes();
     classes_.emplace(complex_, stars, points_, kernel::Flat{points_.ambient, axes, points_.form}, threads_);
@@ -160,9 +170,9 @@ void SiteCellsMaker::measure() {
   internal::work_in_parts(threads_, slots, vertices_in_part, [&] {
     return [&, worker = Worker(*this, stars)](std::size_t first, std::size_t last,
                                               const internal::StopPoint& stop) mutable {
-      Lists& lists = lists_[first / vertices_in_part];
+      NeighborLists& lists = lists_[first / vertices_in_part];
       for (std::size_t v = first; v < last; ++v) {
-        if (row_of_vertex_[v] == invalid_index) continue;
+        if (!has_cell(static_cast<Index>(v))) continue;
         stop();
         measure_site(static_cast<Index>(v), stars, worker, lists);
       }
@@ -176,7 +186,7 @@ bool SiteCellsMaker::is_inside(std::span<const Index> cells) const {
          std::all_of(cells.begin(), cells.end(), [&](Index c) { return inside_[c] != 0; });
 }
 
-void SiteCellsMaker::measure_site(Index v, const Stars& stars, Worker& worker, Lists& lists) {
+void SiteCellsMaker::measure_site(Index v, const Stars& stars, Worker& worker, NeighborLists& lists) {
   Star& star = worker.star;
   CellMeasure& measure = worker.measure;
   star.find(v);
@@ -184,7 +194,8 @@ void SiteCellsMaker::measure_site(Index v, const Stars& stars, Worker& worker, L
     clip(v, star.neighbors(), *worker.clipper, worker.order, lists);
     return;
   }
-  const std::size_t row = row_of_vertex_[v], n = star.neighbors().size();
+  const std::size_t row = row_of_vertex_[v], n = star.neighbors().size(),
+                    rank = static_cast<std::size_t>(cells_.rank);
   measure.begin(n);
   for (std::size_t i = 0; i < n; ++i)
     measure.set_neighbor(i, points_.point(v), points_.point(star.neighbors()[i]));
@@ -196,29 +207,49 @@ void SiteCellsMaker::measure_site(Index v, const Stars& stars, Worker& worker, L
       worker.order.emplace_back(row_of_vertex_[star.neighbors()[i]], static_cast<std::uint32_t>(i));
   cells_.num_faces[row] = static_cast<SignedIndex>(worker.order.size());
   if (star.is_bounded()) {
-    cells_.volumes[row] = measure.volume();
+    cells_.volumes[row] = outer(measure.volume(), k_);
     if (measure.volume() > 0) set_centroid(row, v, measure.offset());
     double surface = 0;
     for (const auto& [other, i] : worker.order) surface += measure.areas()[i];
-    cells_.areas[row] = surface;
+    cells_.areas[row] = outer(surface, k_ - 1);
   } else {
     cells_.volumes[row] = cells_.areas[row] = infinity;
   }
   if (!options_.neighbors) return;
-  lists.begin(row, worker.order);
+  sort_neighbors(v, worker);
+  lists.begin(row, worker.order.size());
   for (const auto& [other, i] : worker.order) {
     const bool is_unbounded = star.is_at_infinity(i) && k_ > 1;
     lists.neighbors.push_back(static_cast<SignedIndex>(other));
-    lists.areas.push_back(is_unbounded ? infinity : measure.areas()[i]);
-    lists.distances.push_back(measure.distances()[i]);
+    lists.areas.push_back(is_unbounded ? infinity : outer(measure.areas()[i], k_ - 1));
+    lists.distances.push_back(outer(measure.distances()[i], 1));
+    const auto of_neighbor = std::span(worker.offsets).subspan(i * rank, rank);
+    lists.lattice.insert(lists.lattice.end(), of_neighbor.begin(), of_neighbor.end());
     if (k_ == 3)
       lists.num_edges.push_back(static_cast<SignedIndex>(
           (worker.faces ? worker.faces->num_classes(i) : star.num_cells_at(i)) + (is_unbounded ? 1 : 0)));
   }
 }
 
+/// By row, and in a periodic set those of one row by their translations.
+void SiteCellsMaker::sort_neighbors(Index v, Worker& worker) const {
+  Order& order = worker.order;
+  if (periodic_ == nullptr) {
+    std::sort(order.begin(), order.end());
+    return;
+  }
+  const std::size_t rank = periodic_->rank();
+  periodic_->find_offsets(v, worker.star.neighbors(), worker.offsets);
+  std::sort(order.begin(), order.end(), [&](const auto& a, const auto& b) {
+    if (a.first != b.first) return a.first < b.first;
+    const std::int32_t* const of_a = worker.offsets.data() + a.second * rank;
+    const std::int32_t* const of_b = worker.offsets.data() + b.second * rank;
+    return std::lexicographical_compare(of_a, of_a + rank, of_b, of_b + rank);
+  });
+}
+
 void SiteCellsMaker::clip(Index v, std::span<const Index> neighbors, CellClipper& clipper, Order& order,
-                          Lists& lists) {
+                          NeighborLists& lists) {
   const std::size_t row = row_of_vertex_[v];
   clipper.clip(v, neighbors, are_proper());
   cells_.volumes[row] = clipper.volume();
@@ -235,7 +266,8 @@ void SiteCellsMaker::clip(Index v, std::span<const Index> neighbors, CellClipper
   }
   cells_.areas[row] = surface;
   if (!options_.neighbors) return;
-  lists.begin(row, order);
+  std::sort(order.begin(), order.end());
+  lists.begin(row, order.size());
   for (const auto& [other, i] : order) {
     lists.neighbors.push_back(other == invalid_index ? -1 : static_cast<SignedIndex>(other));
     lists.areas.push_back(faces[i].area);
@@ -244,38 +276,15 @@ void SiteCellsMaker::clip(Index v, std::span<const Index> neighbors, CellClipper
   }
 }
 
-/// Puts the lists of all parts into the order of rows.
-void SiteCellsMaker::join_lists() {
-  std::vector<std::int64_t>& offsets = cells_.neighbor_offsets;
-  offsets.assign(cells_.num_rows() + 1, 0);
-  for (const Lists& lists : lists_)
-    for (std::size_t i = 0; i < lists.rows.size(); ++i)
-      offsets[lists.rows[i] + 1] = static_cast<std::int64_t>(lists.lengths[i]);
-  for (std::size_t row = 0; row < cells_.num_rows(); ++row) offsets[row + 1] += offsets[row];
-  const auto size = static_cast<std::size_t>(offsets.back());
-  cells_.neighbors.resize(size);
-  cells_.face_areas.resize(size);
-  cells_.distances.resize(size);
-  if (dimension_of_cells() == 3) cells_.num_edges.resize(size);
-  internal::for_parts(
-      threads_, lists_.size(), 1, [&](std::size_t part, std::size_t, const internal::StopPoint& stop) {
-        stop();
-        Lists& lists = lists_[part];
-        std::size_t from = 0;
-        for (std::size_t i = 0; i < lists.rows.size(); ++i) {
-          const std::ptrdiff_t to = offsets[lists.rows[i]];
-          const std::size_t length = lists.lengths[i];
-          const auto copy = [&](const auto& items, auto& all) {
-            std::copy_n(items.begin() + static_cast<std::ptrdiff_t>(from), length, all.begin() + to);
-          };
-          copy(lists.neighbors, cells_.neighbors);
-          copy(lists.areas, cells_.face_areas);
-          copy(lists.distances, cells_.distances);
-          if (dimension_of_cells() == 3) copy(lists.num_edges, cells_.num_edges);
-          from += length;
-        }
-        lists = {};
-      });
+void require_supported(const Triangulation& triangulation) {
+  if (triangulation.affine_dimension() > most_dimension)
+    throw Error(Errc::unsupported,
+                "cells of sites are available up to dimension " + std::to_string(most_dimension));
+}
+
+/// Of cells that are in no box.
+void refuse_halfspaces(const SiteCellsOptions& options) {
+  if (!options.halfspaces.empty()) throw Error(Errc::invalid_argument, "halfspaces clip cells only in a box");
 }
 
 }  // namespace
@@ -285,19 +294,29 @@ SiteCells site_cells(const Triangulation& triangulation, const SiteCellsOptions&
                      const Execution& how) {
   if (triangulation.kind() == TriangulationKind::furthest_site)
     throw Error(Errc::invalid_argument, "cells of sites are those of a Delaunay or regular triangulation");
-  if (triangulation.affine_dimension() > particles::most_dimension)
-    throw Error(Errc::unsupported,
-                "cells of sites are available up to dimension " + std::to_string(particles::most_dimension));
+  particles::require_supported(triangulation);
   const auto d = static_cast<std::size_t>(triangulation.dimension());
   if (options.box)
     particles::check_container({*options.box, options.halfspaces}, triangulation.dimension());
-  else if (!options.halfspaces.empty())
-    throw Error(Errc::invalid_argument, "halfspaces clip cells only in a box");
+  else
+    particles::refuse_halfspaces(options);
   if (options.box && options.faces == CellFaces::proper && d > 3)
     throw Error(Errc::unsupported, "proper faces of clipped cells are available up to dimension 3");
   return internal::guarded("the cells of sites", [&] {
     const internal::ProgressMeter meter(how.progress);
-    return particles::SiteCellsMaker(triangulation, options, how.threads).run();
+    return particles::SiteCellsMaker(triangulation, nullptr, options, how.threads).run();
+  });
+}
+
+SiteCells site_cells(const PeriodicTriangulation& triangulation, const SiteCellsOptions& options,
+                     const Execution& how) {
+  if (options.box) throw Error(Errc::unsupported, "a box clips no cells of a periodic set");
+  particles::refuse_halfspaces(options);
+  return internal::guarded("the cells of sites", [&] {
+    const internal::ProgressMeter meter(how.progress);
+    const particles::PeriodicSites sites(triangulation);
+    particles::require_supported(sites.triangulation());
+    return particles::SiteCellsMaker(sites.triangulation(), &sites, options, how.threads).run();
   });
 }
 

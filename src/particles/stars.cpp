@@ -12,45 +12,60 @@
 namespace delone::particles {
 namespace {
 
-/// The vertices of a cell, increasing.
-void sorted_vertices(const VerticesOfCell& vertices, std::size_t size, Index* sorted) {
+/// The ranks of the vertices of a cell, increasing.
+void sorted_vertices(const VerticesOfCell& vertices, std::size_t size, const VertexOrder* order,
+                     Index* sorted) {
   for (std::size_t i = 0; i < size; ++i) {
-    const Index v = index(vertices[i]);
+    const Index v = order == nullptr ? index(vertices[i]) : order->ranks[index(vertices[i])];
     std::size_t at = i;
     for (; at > 0 && v < sorted[at - 1]; --at) sorted[at] = sorted[at - 1];
     sorted[at] = v;
   }
 }
 
+/// Whether a cell with these ranks is at no vertex whose star is wanted.
+bool is_left_out(const Index* sorted, const VertexOrder* order) {
+  return order != nullptr && sorted[sorted[0] == index(infinite_vertex) ? 1 : 0] > order->last_site;
+}
+
 }  // namespace
 
-Stars::Stars(const Complex& complex) : k_(static_cast<std::size_t>(complex.affine_dimension())) {
+Stars::Stars(const Complex& complex) : Stars(complex, nullptr) {}
+Stars::Stars(const Complex& complex, const VertexOrder& order) : Stars(complex, &order) {}
+
+Stars::Stars(const Complex& complex, const VertexOrder* order)
+    : k_(static_cast<std::size_t>(complex.affine_dimension())) {
   offsets_.assign(complex.num_vertex_slots() + 1, 0);
-  internal::with_compiled_dimension<1, 4>(k_, [&](auto k) { sort<k()>(complex); });
+  internal::with_compiled_dimension<1, 4>(k_, [&](auto k) { sort<k()>(complex, order); });
+  if (order != nullptr)
+    for (Index& v : vertices_) v = order->ids[v];
   fill();
 }
 
-/// Cells by their first vertex, and then those of each first vertex. Also counts the cells at each vertex.
+/// Cells by their first vertex, and then those of each first vertex, all by ranks. Also counts the cells at
+/// each vertex.
 template <int K>
-void Stars::sort(const Complex& complex) {
+void Stars::sort(const Complex& complex, const VertexOrder* order) {
   const std::size_t size = K > 0 ? static_cast<std::size_t>(K) + 1 : k_ + 1;
-  const auto num_cells = static_cast<std::size_t>(complex.num_all_cells());
   std::vector<std::size_t> begin(complex.num_vertex_slots() + 1, 0);
   kernel::Buffer<Index, K + (K > 0 ? 1 : 0)> sorted(size);
   internal::QuickRounds round;
   for (const CellId c : complex.all_cells()) {
     round();
-    sorted_vertices(complex.vertices(c), size, sorted.data());
+    sorted_vertices(complex.vertices(c), size, order, sorted.data());
+    if (is_left_out(sorted.data(), order)) continue;
     ++begin[sorted[0] + 1];
-    for (std::size_t i = 0; i < size; ++i) ++offsets_[sorted[i] + 1];
+    for (const VertexId v : complex.vertices(c)) ++offsets_[index(v) + 1];
   }
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  const std::size_t num_cells = begin.back();
   internal::resize_large(vertices_, num_cells * size);
   internal::resize_large(ids_, num_cells);
   std::vector<std::size_t> next(begin);
   for (const CellId c : complex.all_cells()) {
     round();
-    sorted_vertices(complex.vertices(c), size, sorted.data());
+    sorted_vertices(complex.vertices(c), size, order, sorted.data());
+    if (is_left_out(sorted.data(), order)) continue;
     const std::size_t place = next[sorted[0]]++;
     ids_[place] = c;
     std::copy_n(sorted.data(), size, vertices_.data() + place * size);
@@ -60,7 +75,7 @@ void Stars::sort(const Complex& complex) {
       if (a[i] != b[i]) return a[i] < b[i];
     return false;
   };
-  std::vector<Index> order, old_vertices;
+  std::vector<Index> places, old_vertices;
   std::vector<CellId> old_ids;
   for (std::size_t v = 0; v + 1 < begin.size(); ++v) {
     round();
@@ -69,29 +84,29 @@ void Stars::sort(const Complex& complex) {
     bool is_sorted = true;
     for (std::size_t c = 1; c < count && is_sorted; ++c) is_sorted = is_before(of_cell(c - 1), of_cell(c));
     if (is_sorted) continue;
-    order.resize(count);
-    std::iota(order.begin(), order.end(), Index{0});
+    places.resize(count);
+    std::iota(places.begin(), places.end(), Index{0});
     const auto less = [&](Index a, Index b) { return is_before(of_cell(a), of_cell(b)); };
     constexpr std::size_t few = 24;
     if (count > few) {
-      std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+      std::sort(places.begin(), places.end(), [&](Index a, Index b) {
         round();
         return less(a, b);
       });
     } else {
       for (std::size_t i = 1; i < count; ++i) {
-        const Index item = order[i];
+        const Index item = places[i];
         std::size_t at = i;
-        for (; at > 0 && less(item, order[at - 1]); --at) order[at] = order[at - 1];
-        order[at] = item;
+        for (; at > 0 && less(item, places[at - 1]); --at) places[at] = places[at - 1];
+        places[at] = item;
       }
     }
     old_vertices.assign(of_cell(0), of_cell(count));
     old_ids.assign(ids_.begin() + static_cast<std::ptrdiff_t>(first),
                    ids_.begin() + static_cast<std::ptrdiff_t>(first + count));
     for (std::size_t c = 0; c < count; ++c) {
-      ids_[first + c] = old_ids[order[c]];
-      std::copy_n(old_vertices.data() + order[c] * size, size, of_cell(c));
+      ids_[first + c] = old_ids[places[c]];
+      std::copy_n(old_vertices.data() + places[c] * size, size, of_cell(c));
     }
   }
 }

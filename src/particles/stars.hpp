@@ -14,27 +14,38 @@
 
 namespace delone::particles {
 
+/// Another order of vertices than that of their ids, in which the first ones are those whose stars are
+/// wanted.
+struct VertexOrder {
+  std::vector<Index> ids;    ///< by rank; the infinite vertex is first
+  std::vector<Index> ranks;  ///< by vertex id
+  Index last_site = 0;       ///< the rank of the last vertex whose star is wanted
+};
+
 class Stars {
  public:
   /// Of a complex of dimension k ≥ 1, which must not change. Cost O(cells·k²).
   explicit Stars(const Complex& complex);
+  /// The same with vertices in another order. Cells at none of the wanted vertices are left out.
+  Stars(const Complex& complex, const VertexOrder& order);
 
   std::size_t dimension() const { return k_; }
   std::size_t num_cells() const { return ids_.size(); }
-  /// The k+1 vertices of a cell, increasing: the first of an infinite cell is the infinite vertex. Cells are
+  /// The k+1 vertices of a cell, in order: the first of an infinite cell is the infinite vertex. Cells are
   /// numbered in lexicographic order.
   std::span<const Index> vertices(std::size_t cell) const {
     return {vertices_.data() + cell * (k_ + 1), k_ + 1};
   }
   CellId id(std::size_t cell) const { return ids_[cell]; }
-  /// The cells at a vertex, increasing, so infinite ones come first.
+  /// The cells at a vertex, increasing, so infinite ones come first. REQUIRES that its star is wanted.
   std::span<const Index> cells_at(Index v) const {
     return std::span(cells_).subspan(offsets_[v], offsets_[v + 1] - offsets_[v]);
   }
 
  private:
+  Stars(const Complex& complex, const VertexOrder* order);
   template <int K>
-  void sort(const Complex& complex);
+  void sort(const Complex& complex, const VertexOrder* order);
   void fill();
 
   std::size_t k_;

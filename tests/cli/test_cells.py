@@ -41,9 +41,28 @@ class Cells(Case):
         self.assertAlmostEqual(stats["volume"], 1, places=12)
         self.assertIn("volume", self.output("cells", points))
 
+    def test_periodic_sets(self):
+        points = self.file("points.csv", "x,y,w\n0.25,0.5,0\n2.75,0.5,0\n0.25,-0.5,-9\n")
+        self.output("cells", points, "--weights", "w", "--lattice", "1,2", "--neighbors", "--proper-faces", "-o", self.path("cells.npz"))
+        with np.load(self.path("cells.npz")) as arrays:  # the third is hidden
+            np.testing.assert_array_equal(arrays["volumes"], [1, 1, 0])
+            np.testing.assert_array_equal(arrays["centroids"][:2], [[0.25, 0.5], [2.75, 0.5]])
+            first, last = arrays["neighbor_offsets"][:2]
+            np.testing.assert_array_equal(arrays["neighbors"][first:last], [0, 0, 1, 1])
+            np.testing.assert_array_equal(arrays["neighbor_lattice"][first:last], [[0, -1], [0, 1], [-3, 0], [-2, 0]])
+            self.assertEqual(arrays["neighbor_lattice"].dtype, np.int32)
+        points = self.uniform(3, 100)
+        stats = json.loads(self.output("cells", points, "--lattice", "1", "--stats"))
+        self.assertEqual((stats["command"], stats["unbounded_cells"], stats["periodic_directions"]), ("cells", 0, 3))
+        self.assertAlmostEqual(stats["volume"], 1, places=12)
+        slab = self.output("cells", points, "--lattice", "1", "--periodic", "xy")
+        self.assertIn("Periodic cells of 100 points", slab)
+        self.assertIn("2 directions", slab)
+
     def test_what_is_refused(self):
         points = self.uniform(2, 10)
         self.assertIn("--box", self.complaint("cells", points, "--box", "0,1", status=64))
+        self.assertIn("--box", self.complaint("cells", points, "--lattice", "1", "--box", "0,0,1,1", status=64))
         self.assertIn("json", self.complaint("cells", points, "-o", self.path("cells.json")))
         self.assertIn("binary", self.complaint("cells", points, "-o", "-", "--output-format", "npz"))
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cells of sites against the diagram of the same triangulation, and against what must hold for any cells.
 #include "error_code.hpp"
+#include "same_bits.hpp"
 
 #include <delone/delaunay.hpp>
 #include <delone/furthest_site.hpp>
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -281,11 +281,6 @@ TEST(SiteCells, CrystalsHaveTheirCells) {
   }
 }
 
-bool are_same_bits(const std::vector<double>& a, const std::vector<double>& b) {
-  return a.size() == b.size() &&
-         (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
-}
-
 TEST(SiteCells, DoNotDependOnThreads) {
   for (const int d : {2, 3, 4}) {
     const std::vector<double> points = make_point_set("clusters", d, d == 4 ? 3000 : 20000, 4);
@@ -296,11 +291,11 @@ TEST(SiteCells, DoNotDependOnThreads) {
       if (in_box && d == 4) continue;
       if (in_box) options.box = Voronoi<>(one).bounding_box(0);
       const SiteCells expected = site_cells(one, options), found = site_cells(four, options, {.threads = 3});
-      EXPECT_TRUE(are_same_bits(expected.volumes, found.volumes));
-      EXPECT_TRUE(are_same_bits(expected.centroids, found.centroids));
-      EXPECT_TRUE(are_same_bits(expected.areas, found.areas));
-      EXPECT_TRUE(are_same_bits(expected.face_areas, found.face_areas));
-      EXPECT_TRUE(are_same_bits(expected.distances, found.distances));
+      EXPECT_TRUE(test::are_same_bits(expected.volumes, found.volumes));
+      EXPECT_TRUE(test::are_same_bits(expected.centroids, found.centroids));
+      EXPECT_TRUE(test::are_same_bits(expected.areas, found.areas));
+      EXPECT_TRUE(test::are_same_bits(expected.face_areas, found.face_areas));
+      EXPECT_TRUE(test::are_same_bits(expected.distances, found.distances));
       EXPECT_EQ(expected.neighbors, found.neighbors);
       EXPECT_EQ(expected.num_faces, found.num_faces);
     }

@@ -122,6 +122,8 @@ LONG = {
     "delone.Delaunay.site_cells, clipped": ("t = delone.Delaunay(random.random((30_000, 3)))",
                                             "t.site_cells(box=([0.4] * 3, [0.41] * 3), faces='proper')"),
     "delone.Regular.site_cells": ("t = delone.Regular(random.random((20_000, 5)), np.zeros(20_000))", "t.site_cells()"),
+    "delone._core.PeriodicTriangulation.site_cells": ("t = delone.PeriodicDelaunay(random.random((300_000, 3)), 1.0)",
+                                                      "for _ in range(10): t.site_cells(neighbors=True)"),
     "delone._core.Triangulation.circumradii, millions": (MILLIONS, "t.circumradii"),
     "delone._core.Triangulation.qualities, millions": (MILLIONS, "t.qualities()"),
     "delone._core.Triangulation.to_html": ("t = delone.Delaunay(random.random((300_000, 3)))", "t.to_html()"),

@@ -66,3 +66,35 @@ def test_what_is_refused(arguments, error):
     assert not hasattr(delone.FurthestSite([[0, 0], [1, 0], [0, 1]]), "site_cells")
     with pytest.raises(ValueError):
         delone.Delaunay([[0, 0], [1, 0], [0, 1]]).site_cells().neighbors_of(0)
+
+
+def test_cells_of_periodic_sets():
+    random = np.random.default_rng(6)
+    points = random.integers(0, 2**20, (200, 3)) / 2**20
+    vectors = np.array([[1, 0, 0], [0.25, 1, 0], [-0.375, 0.3125, 1]])
+    steps = random.integers(-2, 3, (200, 3))
+    for t in (delone.PeriodicDelaunay(points + steps @ vectors, vectors, threads=1),
+              delone.PeriodicRegular(points + steps @ vectors, random.random(200) * 0.01, vectors)):
+        cells = t.site_cells(neighbors=True)
+        assert abs(cells.volumes.sum() - 1) < 1e-12
+        assert cells.neighbor_lattice.shape == (len(cells.neighbors), 3) and cells.neighbor_lattice.dtype == np.int32
+        rows = np.repeat(np.arange(200), np.diff(cells.neighbor_offsets))
+        apart = t.points[cells.neighbors] + cells.neighbor_lattice @ t.lattice - t.points[rows]
+        np.testing.assert_allclose(cells.distances, np.linalg.norm(apart, axis=1), rtol=1e-12)
+        has_cell = cells.volumes > 0
+        assert (has_cell == (t.vertex_of_point == np.arange(200))).all()
+        assert (np.linalg.norm(cells.centroids - t.points, axis=1)[has_cell] < 0.5).all()
+        with pytest.raises(ValueError):
+            cells.neighbor_lattice[0] = 1
+
+
+def test_cells_of_slabs_and_refusals():
+    points = np.random.default_rng(7).random((50, 2))
+    t = delone.PeriodicDelaunay(points, 1.0, axes=[0])
+    cells = t.site_cells(neighbors=True, faces="proper")
+    assert np.isinf(cells.volumes).any() and cells.neighbor_lattice.shape == (len(cells.neighbors), 1)
+    assert t.site_cells().neighbor_lattice is None and delone.Delaunay(points).site_cells(neighbors=True).neighbor_lattice is None
+    with pytest.raises(ValueError, match="faces"):
+        t.site_cells(faces="all")
+    with pytest.raises(TypeError, match="box"):
+        t.site_cells(box=([0, 0], [1, 1]))

@@ -28,7 +28,7 @@ class SiteCellsWriter {
   void operator()(const char* name, const std::vector<T>& items, std::size_t columns = 0) {
     const std::string_view type = std::is_same_v<T, double>         ? "f8"
                                   : std::is_same_v<T, std::int64_t> ? "i8"
-                                                                    : npy_index_type;
+                                                                    : "i4";
     std::vector<std::size_t> shape{items.size()};
     if (columns > 0) shape = {items.size() / columns, columns};
     const std::string header =
@@ -54,6 +54,8 @@ void write_npz(AtomicFile& file, const SiteCells& cells) {
     write_array("face_areas", cells.face_areas);
     write_array("distances", cells.distances);
     if (!cells.num_edges.empty()) write_array("num_edges", cells.num_edges);
+    if (cells.rank > 0)
+      write_array("neighbor_lattice", cells.neighbor_lattice, static_cast<std::size_t>(cells.rank));
   }
   write_array.finish();
 }

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The sites of a periodic set: which vertices of its triangulation with ghosts have cells, whose images the
+// others are, and what their numbers are to the caller.
+//
+// All cells of the triangulation at a vertex that is a point of the set are cells of the whole set, so its
+// star is all that its cell needs. Stars of ghosts are open: ghosts have no cells and no lists.
+#pragma once
+
+#include "particles/stars.hpp"
+#include "periodic/ghost_triangulation.hpp"
+#include "periodic/periodic_set.hpp"
+
+#include <delone/periodic.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace delone::particles {
+
+class PeriodicSites {
+ public:
+  explicit PeriodicSites(const PeriodicTriangulation& triangulation);
+
+  const Triangulation& triangulation() const { return ghosts_.triangulation(); }
+  std::size_t num_rows() const { return set_.num_points(); }
+  std::size_t rank() const { return set_.rank; }
+  bool has_cell(Index v) const { return ghosts_.is_own(VertexId{v}); }
+  /// The first row at the point of a vertex, or at the point that it is an image of.
+  Index row_of(Index v) const { return ghosts_.image_of(VertexId{v}).row; }
+  /// Points of the set by id, which follows a curve in space, then ghosts by row and translation: which
+  /// ghosts there are, and so their ids, may depend on threads, but not the order of those that are neighbors
+  /// of a point of the set.
+  VertexOrder order() const;
+
+  /// Of each vertex the translation from where its row was given, as `rank` numbers, if the site is where its
+  /// row was given.
+  void find_offsets(Index site, std::span<const Index> vertices, std::vector<std::int32_t>& offsets) const;
+  /// The point of a row where it was given.
+  const double* given_point(std::size_t row) const { return given_.data() + row * set_.dimension; }
+  /// The volume of something of so many dimensions in numbers of the caller.
+  double outer(double volume, std::size_t dimension) const {
+    if (set_.unit == 0) return std::ldexp(volume, set_.scale * static_cast<int>(dimension));
+    for (std::size_t j = 0; j < dimension; ++j) volume *= set_.unit;
+    return volume;
+  }
+
+ private:
+  const periodic::PeriodicSet& set_;
+  const periodic::GhostTriangulation& ghosts_;
+  std::span<const double> given_;
+  bool has_wraps_;  // whether points were given outside of the box
+};
+
+}  // namespace delone::particles
