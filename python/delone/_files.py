@@ -387,7 +387,7 @@ def _data_to_check(what: Any, cells: Optional[npt.ArrayLike], neighbors: Optiona
         what = what.to_data()
     if isinstance(what, Data):
         return what._kind, what._members, False, False
-    if isinstance(what, (_core.Triangulation, _core.ConvexHull, _core.LowerHull, _core.HalfspaceIntersection, _core.Diagram)):
+    if isinstance(what, (_core.Triangulation, _core.PeriodicTriangulation, _core.ConvexHull, _core.LowerHull, _core.HalfspaceIntersection, _core.Diagram)):
         return (*what._data(), False, False)
     if hasattr(what, "points") and hasattr(what, "simplices"):  # as scipy.spatial.Delaunay has them
         if np.shape(what.simplices)[1:] != (np.shape(what.points)[-1] + 1,):

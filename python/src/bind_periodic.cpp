@@ -67,7 +67,8 @@ Lattice as_lattice(const py::object& lattice, const py::object& axes, int dimens
 PeriodicOptions as_periodic_options(bool exact, bool wrap, const py::object& unit) {
   PeriodicOptions options{exact, wrap, 0};
   if (!unit.is_none()) {
-    options.unit = unit.cast<double>();
+    if (PyNumber_Check(unit.ptr()) == 0) throw py::type_error("unit: a number above 0, or None");
+    options.unit = py::float_(unit);
     if (!(options.unit > 0)) throw py::value_error("unit: a number above 0, or None");
   }
   return options;

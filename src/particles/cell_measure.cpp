@@ -5,6 +5,7 @@
 
 #include "base/compensated_sum.hpp"
 #include "base/length.hpp"
+#include "base/progress_meter.hpp"
 #include "kernel/determinant.hpp"
 #include "kernel/double_double.hpp"
 
@@ -132,6 +133,7 @@ void CellMeasure::find_pieces() {
     return;
   }
   for (std::size_t c = 0; c < num_cells_; ++c) {
+    internal::cancellation_point();
     particles::find_pieces(k_, d_, records_.data(), corners_.data() + c * k_, one_.data());
     for (std::size_t i = 0; i < one_.size(); ++i) piece(i, c) = one_[i];
   }
@@ -160,6 +162,7 @@ void CellMeasure::improve() {
     const double most = most_error(0.9 * tolerance * certain);
     for (std::size_t c = 0; c < num_cells_; ++c) {
       if (error_of(c) <= most) continue;
+      internal::cancellation_point();
       if (exactly) {
         replace(c, find_pieces_exactly);
         ++num_exact_;

@@ -3,6 +3,7 @@
 #include "particles/wide_pieces.hpp"
 
 #include "base/compiled_dimension.hpp"
+#include "base/progress_meter.hpp"
 #include "kernel/fractions.hpp"
 #include "kernel/grid.hpp"
 
@@ -75,6 +76,7 @@ class ExactElimination {
   }
 
   void run(std::size_t set, std::size_t first, const std::vector<Integer>& rows, const Integer& g) {
+    internal::cancellation_point();
     const auto row = [&](std::size_t w) { return rows.data() + w * width_; };
     const auto square = [&](std::size_t w) -> const Integer& { return row(w)[d_ + 1 + w]; };
     for (std::size_t w = 0; w < k_; ++w) {

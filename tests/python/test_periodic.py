@@ -140,3 +140,13 @@ def test_other_refusals():
 def test_interrupt():
     with pytest.raises(delone.CancelledError):
         delone.PeriodicDelaunay(np.random.default_rng(0).random((50000, 3)), 1, progress=lambda fraction: False)
+
+
+def test_check_takes_the_object():
+    t = delone.PeriodicDelaunay([[0.25, 0.25], [0.5, 0.75]], 1.0)
+    assert delone.check(t) and delone.check(t.to_data())
+
+
+def test_a_unit_is_a_number():
+    with pytest.raises(TypeError, match="unit"):
+        delone.PeriodicDelaunay([[0.1, 0.2]], 1.0, unit="a")
