@@ -20,7 +20,7 @@ struct PeriodicInput {
 
   void add_to(CLI::App& command);
   bool is_wanted() const { return !lattice.empty(); }
-  /// Throws UsageError for what is no lattice of points of this dimension.
+  /// Throws UsageError if the value is not a lattice of this dimension.
   Lattice read(int dimension) const;
   PeriodicOptions options() const { return {.exact = exact, .unit = unit}; }
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// delone.Polyhedron: what it is asked for.
+// Binds delone.Polyhedron: its constructors and its properties. Operations are in
+// bind_polyhedron_operations.cpp.
 #include "arrays.hpp"
 #include "docs_polyhedra.hpp"
 #include "docstring.hpp"

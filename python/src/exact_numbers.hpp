@@ -25,8 +25,9 @@ struct ExactArray {
 };
 
 /// An array of one or two axes: of numbers, of objects, or a tuple (numerators, denominators) of integers,
-/// which are broadcast. Raises InputError for what is no number, not finite, or has the denominator 0, naming
-/// its row, and for matrices its column; ValueError for masked arrays and for another number of axes.
+/// which are broadcast. Raises InputError if an entry is not a number, is not finite, or has the denominator
+/// 0, naming its row, and for matrices its column; ValueError for masked arrays and for another number of
+/// axes.
 ExactArray as_exact(const py::object& object, const std::string& name, std::size_t num_axes);
 
 /// The same with any number of axes but none, and without pairs of arrays.

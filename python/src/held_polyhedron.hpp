@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What delone.Polyhedron holds: a polyhedron, which does not change, and the arrays that have been asked for.
+// The C++ object behind delone.Polyhedron: an immutable polyhedron, and a cache of its arrays.
 #pragma once
 
 #include "exact_numbers.hpp"

@@ -58,7 +58,7 @@ struct PeriodicSet {
   void to_given_basis(std::span<const std::int64_t> k, std::int32_t* given) const;
 };
 
-/// Throws Errc::not_finite; bad_dimension for a lattice that is no rows of d numbers and a wrong number of
+/// Throws Errc::not_finite; bad_dimension for lattice vectors without d numbers and a wrong number of
 /// weights; invalid_argument for dependent lattice vectors, and for what the options refuse; unsupported.
 PeriodicSet make_periodic_set(const SetInput& input);
 
