@@ -25,7 +25,7 @@ class SiteCellsWriter {
  public:
   explicit SiteCellsWriter(AtomicFile& file) : zip_(file) {}
   template <class T>
-  void operator()(const char* name, const std::vector<T>& items, std::size_t columns = 0) {
+  void operator()(const std::string& name, const std::vector<T>& items, std::size_t columns = 0) {
     const std::string_view type = std::is_same_v<T, double>         ? "f8"
                                   : std::is_same_v<T, std::int64_t> ? "i8"
                                                                     : "i4";
@@ -33,7 +33,7 @@ class SiteCellsWriter {
     if (columns > 0) shape = {items.size() / columns, columns};
     const std::string header =
         columns > 0 ? npy_header(type, {shape[0], shape[1]}) : npy_header(type, {shape[0]});
-    zip_.add(std::string(name) + ".npy", header, little_endian_bytes(std::span<const T>(items), storage_));
+    zip_.add(name + ".npy", header, little_endian_bytes(std::span<const T>(items), storage_));
   }
   void finish() { zip_.finish(); }
 
