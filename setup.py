@@ -22,6 +22,7 @@ import shutil
 import subprocess
 import sys
 
+import setuptools
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 
@@ -35,6 +36,8 @@ except ImportError:  # before setuptools 70.1
 
 ROOT = pathlib.Path(__file__).resolve().parent
 SCRATCH = ROOT / "build" / "wheel"  # what setuptools leaves behind goes where everything built goes
+LICENSE = "BSD-3-Clause"
+BILL = "delone.cdx.json"  # of materials: the libraries in a wheel (python/sbom.cmake)
 SYSTEM_LIBRARIES = os.environ.get("DELONE_SYSTEM_LIBRARIES", "0") not in ("", "0")
 
 sys.path.insert(0, str(ROOT / "tools"))
@@ -68,6 +71,8 @@ class CMakeBuild(build_ext):
         for old in target.glob("*.so*"):  # of a build with other libraries
             old.unlink()
         shutil.copy2(found[0], target)
+        if not SYSTEM_LIBRARIES:
+            shutil.copy2(prefix / BILL, self.build_temp)
         # The libraries beside it, each by the name that the module asks for, which may be that of a link.
         libraries = [path for path in prefix.rglob("*.so*") if path != found[0]]
         named = {path.resolve() for path in libraries if path.is_symlink()}
@@ -98,8 +103,15 @@ class CMakeBuild(build_ext):
         return build
 
 
-class TaggedWheel(bdist_wheel):
-    """A wheel for Linux is named by what its libraries need, if no --plat-name is given."""
+class Wheel(bdist_wheel):
+    """Has the bill of materials that CMake made. For Linux it is named by what its libraries need, if no --plat-name is given."""
+
+    def write_wheelfile(self, folder, *rest, **options):
+        super().write_wheelfile(folder, *rest, **options)
+        if not SYSTEM_LIBRARIES:
+            sboms = pathlib.Path(folder) / "sboms"
+            sboms.mkdir()
+            shutil.copy2(pathlib.Path(self.get_finalized_command("build_ext").build_temp) / BILL, sboms)
 
     def get_tag(self):
         python, abi, system = super().get_tag()
@@ -111,11 +123,19 @@ class TaggedWheel(bdist_wheel):
         return python, abi, system
 
 
+def license_metadata():
+    """The license as an expression (PEP 639) where setuptools knows that form, and in the older one before. pyproject.toml would have to
+    choose: the new form is an error before setuptools 77, and the old one is deprecated since."""
+    new = int(setuptools.__version__.partition(".")[0]) >= 77
+    return {"license_expression" if new else "license": LICENSE}
+
+
 SCRATCH.mkdir(parents=True, exist_ok=True)
 os.chdir(ROOT)
 setup(
+    **license_metadata(),
     version=version(),
     ext_modules=[Extension("delone._core", sources=[])],
-    cmdclass={"build_ext": CMakeBuild, **({} if bdist_wheel is object else {"bdist_wheel": TaggedWheel})},
+    cmdclass={"build_ext": CMakeBuild, **({} if bdist_wheel is object else {"bdist_wheel": Wheel})},
     options={"build": {"build_base": "build/wheel"}, "egg_info": {"egg_base": "build/wheel"}},
 )

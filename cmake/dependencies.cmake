@@ -16,8 +16,11 @@ function(delone_needs_fetching variable found)
   endif()
 endfunction()
 
-# delone_fetch(<name> <url> <sha256>): sets <name>_SOURCE_DIR; the project in there is not configured.
+# delone_fetch(<name> <url> <sha256>): sets <name>_SOURCE_DIR, and <name>_FETCHED to the version in the URL; the project in there is not
+# configured.
 macro(delone_fetch name url sha256)
+  string(REGEX MATCH "[0-9]+[._][0-9]+[._][0-9]+" ${name}_FETCHED ${url})
+  string(REPLACE "_" "." ${name}_FETCHED ${${name}_FETCHED})
   string(TOUPPER "FETCHCONTENT_SOURCE_DIR_${name}" delone_folder_of_sources)
   if(NOT ${delone_folder_of_sources})
     message(STATUS "delone: fetching ${url}")

@@ -185,7 +185,7 @@ def check_citation(tree):
         faults.append("CITATION.cff: date-released is missing")
     elif date and found[1] != date.isoformat():
         faults.append(f"CITATION.cff: date-released is {found[1]}, but CHANGELOG.md says {date}")
-    license_of_project = re.search(r"license *= *\{text *= *\"([^\"]+)\"", tree.read("pyproject.toml"))
+    license_of_project = re.search(r'^LICENSE = "([^"]+)"', tree.read("setup.py"), re.M)
     if license_of_project and f"license: {license_of_project[1]}\n" not in tree.read("CITATION.cff"):
         faults.append(f"CITATION.cff: the license is not {license_of_project[1]}")
     return faults

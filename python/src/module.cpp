@@ -65,8 +65,8 @@ PyObject* make_of_type(PyObject* type, PyObject* arguments, PyObject* keywords) 
   return make_of_pybind11(type, arguments, keywords);
 }
 
-/// The metaclass is common to all modules that share the internals of pybind11; this changes only what would
-/// end the program.
+/// The metaclass is that of delone's modules alone, which have internals of pybind11 of their own
+/// (python/CMakeLists.txt).
 void refuse_to_make_the_base() {
   PyTypeObject* const metaclass = py::detail::get_internals().default_metaclass;
   if (metaclass->tp_call == make_of_type) return;

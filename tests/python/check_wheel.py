@@ -9,7 +9,9 @@ Usage: check_wheel.py BUILD_DIR VERSION [--wheels FOLDER]    BUILD_DIR has the c
 sees; nothing is fetched.
 """
 import argparse
+import email
 import fnmatch
+import json
 import os
 import pathlib
 import re
@@ -28,6 +30,8 @@ import platform_tag  # noqa: E402
 LARGEST_WHEEL = 12 * 10**6  # bytes
 NOT_IN_SDIST = (".ci/*", ".gitignore", "*/.gitignore", ".git*", "MANIFEST.in", "benchmarks/history/*.json", "benchmarks/history/*.csv")
 PLATFORM = {"libz.so.1", "libc.so.6", "libm.so.6", "libdl.so.2", "librt.so.1", "libpthread.so.0", "libgcc_s.so.1", "libstdc++.so.6"}
+
+SPDX = {"Apache License 2.0": "Apache-2.0", "MIT License": "MIT", "BSD 3-Clause License": "BSD-3-Clause", "Boost Software License 1.0": "BSL-1.0"}
 
 USE = """
 import importlib.metadata, pathlib, pickle, re, sys
@@ -127,6 +131,37 @@ def check_libraries(wheel, folder):
     return f"{size / 1e6:.1f} MB, {len(bundled)} libraries, {needed}"
 
 
+def check_metadata(wheel, version):
+    """The license is named, and the bill of materials lists what THIRD_PARTY_LICENSES does, and every library in the wheel."""
+    with zipfile.ZipFile(wheel) as archive:
+        names = archive.namelist()
+        folder = f"delone-{version}.dist-info"
+        metadata = email.message_from_string(archive.read(f"{folder}/METADATA").decode())
+        bill = json.loads(archive.read(f"{folder}/sboms/delone.cdx.json"))
+        record = archive.read(f"{folder}/RECORD").decode()
+    assert "BSD-3-Clause" in (metadata["License"], metadata["License-Expression"]), metadata.items()
+    assert set(metadata.get_all("License-File")) == {"LICENSE", "THIRD_PARTY_LICENSES"}, metadata.get_all("License-File")
+    assert f"{folder}/sboms/delone.cdx.json,sha256=" in record, record
+    assert (bill["bomFormat"], bill["specVersion"], bill["metadata"]["component"]["version"]) == ("CycloneDX", "1.6", version), bill
+    components = {component["name"]: component for component in bill["components"]}
+    listed = (ROOT / "THIRD_PARTY_LICENSES").read_text(encoding="utf-8").partition("\n\n")[2].partition("\n\n")[0]
+    for line in listed.splitlines():
+        name, license_text = re.split(r"  +", line.strip())[:2]
+        if name == "CLI11":  # in the command
+            continue
+        component = components.pop(name)
+        assert re.fullmatch(r"\d+(\.\d+)+", component["version"]), component
+        assert component["purl"] == component["bom-ref"] and component["purl"].endswith("@" + component["version"]), component
+        assert component["licenses"] == [{"license": {"id": SPDX[license_text]}}], component
+    assert not components, f"{sorted(components)} are not in THIRD_PARTY_LICENSES"
+    parts = [component["bom-ref"] for component in bill["components"]]
+    assert bill["dependencies"] == [{"ref": bill["metadata"]["component"]["bom-ref"], "dependsOn": parts}] and len(set(parts)) == len(parts)
+    files = {"libhwy": "highway", "libtbb": "oneTBB", "libfmt": "fmt"}
+    for name in names:
+        if name.startswith("delone/lib"):
+            assert any(f"/{files[pathlib.PurePath(name).name.partition('.')[0]]}@" in part for part in parts), name
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("build", nargs="?", type=pathlib.Path)
@@ -157,6 +192,7 @@ def main():
         names = zipfile.ZipFile(wheel).namelist()
         assert sum(name.startswith("delone/_core.") and name.endswith(".so") for name in names) == 1, names
         assert all(name.startswith(("delone/", f"delone-{version}.dist-info/")) for name in names), names
+        check_metadata(wheel, version)
         about = check_libraries(wheel, folder / "unpacked") if sys.platform == "linux" else f"{wheel.stat().st_size / 1e6:.1f} MB"
 
         environment = folder / "environment"

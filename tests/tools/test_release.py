@@ -23,7 +23,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 import release  # noqa: E402
 
-FILES = ("CMakeLists.txt", "CITATION.cff", "CHANGELOG.md", "pyproject.toml", "README.md", "docs/guide.md", "LICENSE", "SECURITY.md", "CONTRIBUTING.md")
+FILES = ("CMakeLists.txt", "CITATION.cff", "CHANGELOG.md", "pyproject.toml", "setup.py", "README.md", "docs/guide.md", "LICENSE", "SECURITY.md", "CONTRIBUTING.md")
 TODAY = datetime.date(2030, 6, 15)
 STEPS_OF_FILES = ("versions", "changelog", "citation", "papers", "clean", "tag")
 
