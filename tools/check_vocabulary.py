@@ -11,7 +11,10 @@ Every spelling in backquotes in the table of names must exist:
            values; another word: one in quotes in cli/, such as a member of --stats
   Python   `Class`, `Class.member`: in the stubs of delone (not of delone.spatial), bases included; `name`: an argument or a
            member; `argument="value"`: a value the stubs allow
-Those of the sections "In Octave" and "In R" must be functions of these packages.
+The names of the table of the other languages must be in that table. Its spellings must exist:
+  C        a function of delone.h
+  R        a function that the package exports, if parentheses follow
+  Octave   `delone.NAME`: a function of the package; `delone.CLASS.NAME`: a function in the file of the class
 Names that were retired (RETIRED below) must not come back. Prints every fault, and exits with status 1 if there is one.
 """
 import ast
@@ -22,6 +25,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 TABLE = "docs/vocabulary.md"
 HEADER = ["name", "meaning", "C++", "command", "Python"]
+LANGUAGES = ["name", "C", "R", "Octave"]
 
 CPP = ["include/**/*", "src/**/*", "cli/*", "python/src/*", "tests/**/*", "examples/*", "docs/*.md", "README.md"]
 
@@ -44,15 +48,15 @@ RETIRED = [
 ]
 
 
-def rows_of_table(text):
-    """(line number, cells) of the rows of the table of names."""
+def rows_of_table(text, header):
+    """(line number, cells) of the rows of the table with that header."""
     inside = False
     for number, line in enumerate(text.split("\n"), 1):
         if not line.startswith("|"):
             inside = False
             continue
         cells = [cell.strip() for cell in re.split(r"(?<!\\)\|", line.strip())[1:-1]]
-        if cells == HEADER:
+        if cells == header:
             inside = True
         elif inside and not set(cells[0]) <= set("-: "):
             yield number, cells
@@ -132,7 +136,7 @@ class Python:
 
 
 def faults_of_table(text, cpp, command, python):
-    rows = list(rows_of_table(text))
+    rows = list(rows_of_table(text, HEADER))
     if not rows:
         yield 1, "there is no table of names"
     for number, cells in rows:
@@ -145,20 +149,28 @@ def faults_of_table(text, cpp, command, python):
                     yield number, f"{column} `{spelling}`: {fault}"
 
 
-def faults_of_octave(text, functions):
-    """`functions`: the names of those of the package."""
-    section = re.search(r"^## In Octave$.*?(?=^## |\Z)", text, re.M | re.S)
-    for found in re.finditer(r"`delone\.(\w+)`", section[0] if section else ""):
-        if found[1] not in functions:
-            yield text.count("\n", 0, section.start() + found.start()) + 1, f"Octave `delone.{found[1]}`: there is no such function"
-
-
-def faults_of_r(text, functions):
-    """`functions`: the names of those of the package."""
-    section = re.search(r"^## In R$.*?(?=^## |\Z)", text, re.M | re.S)
-    for found in re.finditer(r"`([\w.]+)\(\)`", section[0] if section else ""):
-        if found[1] not in functions:
-            yield text.count("\n", 0, section.start() + found.start()) + 1, f"R `{found[1]}()`: there is no such function"
+def faults_of_languages(text, c, r, octave):
+    """`c`, `r`: the names of functions; `octave`: of each function of the package the names of functions in its file."""
+    names = {cells[0] for _, cells in rows_of_table(text, HEADER)}
+    rows = list(rows_of_table(text, LANGUAGES))
+    if not rows:
+        yield 1, "there is no table of the other languages"
+    for number, cells in rows:
+        if len(cells) != len(LANGUAGES):
+            yield number, f"{len(cells)} columns, not {len(LANGUAGES)}"
+            continue
+        if cells[0] not in names:
+            yield number, f"{cells[0]} is not in the table of names"
+        for spelling in spellings(cells[1]):
+            if spelling.removesuffix("()") not in c:
+                yield number, f"C `{spelling}`: there is no such function"
+        for spelling in spellings(cells[2]):
+            if spelling.endswith("()") and spelling[:-2] not in r:
+                yield number, f"R `{spelling}`: there is no such function"
+        for spelling in spellings(cells[3]):
+            _, name, *member = spelling.split(".")
+            if name not in octave or not set(member) <= octave[name]:
+                yield number, f"Octave `{spelling}`: there is no such function"
 
 
 def retired_in(path, text, retired=None):
@@ -188,10 +200,11 @@ def faults():
     checkers = (Cpp(texts("include/delone", ".hpp") + texts("include/delone/mpi", ".hpp")), Command(texts("cli", ".cpp", ".hpp")), Python(texts("python/delone", ".py", ".pyi")))
     for number, fault in faults_of_table(table, *checkers):
         yield f"{TABLE}:{number}: {fault}"
-    for number, fault in faults_of_octave(table, {file.stem for file in (ROOT / "octave/inst/+delone").glob("*.m")}):
-        yield f"{TABLE}:{number}: {fault}"
+    c = set(re.findall(r"^DELONE_C_API [^;(]*?(\w+)\(", (ROOT / "include/delone/delone.h").read_text(encoding="utf-8"), re.M))
     exported = re.findall(r"^export\(([^)]*)\)", (ROOT / "r/NAMESPACE").read_text(encoding="utf-8"), re.M)
-    for number, fault in faults_of_r(table, {name for line in exported for name in line.split(", ")}):
+    octave = {file.stem: set(re.findall(r"^ +function (?:.*= *)?(\w+) \(", file.read_text(encoding="utf-8"), re.M))
+              for file in (ROOT / "octave/inst/+delone").glob("*.m")}
+    for number, fault in faults_of_languages(table, c, {name for line in exported for name in line.split(", ")}, octave):
         yield f"{TABLE}:{number}: {fault}"
     for top in ("include", "src", "c", "cli", "python", "examples", "tests", "docs", "tools", "README.md"):
         for file in [ROOT / top] if (ROOT / top).is_file() else sorted((ROOT / top).rglob("*")):
@@ -221,10 +234,11 @@ def self_test():
     table = "| name | meaning | C++ | command | Python |\n|---|---|---|---|---|\n| a | b \\| c | {} | `cells` | |\n\n| x | y |\n|---|---|\n| `z` | |\n"
     assert not list(faults_of_table(table.format("`Side`"), cpp, command, python))
     assert len(list(faults_of_table(table.format("`Sides`"), cpp, command, python))) == 1
-    in_octave = "`delone.old`\n## In Octave\n`delone.hull`\n`delone.ball`\n## Else\n`delone.other`\n"
-    assert [number for number, _ in faults_of_octave(in_octave, {"hull"})] == [4]
-    in_r = "`old()`\n## In R\n`hull()`\n`ball()`\n## Else\n`other()`\n"
-    assert [number for number, _ in faults_of_r(in_r, {"hull"})] == [4]
+    languages = "| name | C | R | Octave |\n|---|---|---|---|\n| {} | `delone_a()` | `a()`, `with` | `delone.a`, `delone.a.b` |\n| a | {} | {} | {} |\n"
+    known = ({"delone_a"}, {"a"}, {"a": {"b"}})
+    for parts, count in [(("a", "", "", ""), 0), (("z", "", "", ""), 1), (("a", "`delone_b()`", "", ""), 1), (("a", "", "`b()`", ""), 1),
+                         (("a", "", "", "`delone.b`, `delone.a.c`"), 2)]:
+        assert len(list(faults_of_languages(table.format("`Side`") + "\n" + languages.format(*parts), *known))) == count, parts
     assert list(faults_of_table("nothing", cpp, command, python))
     retired = [(r"\bgiven\b", ["docs/**/*", "cli/*"], ["docs/old.md"], "as_given")]
     assert len(list(retired_in("docs/a/b.md", "x\nas given\n", retired))) == 1

@@ -223,6 +223,9 @@ DELONE_C_API int delone_set_text(delone_options* options, const char* name, cons
  *                       not_examined (what the data say without holding a proof; mostly empty);
  *                       array cells, points, vertices, halfspaces (int64): what the violation concerns
  *
+ * "qhull_options"       integer scaled last_in_box in_cube at_infinity keep_coplanar furthest_site joggled unmerged
+ *                       good_visible (0 or 1), good_row (-1: none); real centrum, roundoff (NaN: none), width
+ *
  * "tiles", of t parts
  *   integer  dimension affine_dimension weighted num_points num_vertices num_duplicates num_hidden num_cells
  *            num_hull_facets num_parts
@@ -235,8 +238,8 @@ DELONE_C_API int delone_set_text(delone_options* options, const char* name, cons
  *   array    points v x d; weights; cells m x (k+1), neighbors m x (k+1) (int32); rows, seams, own_rows,
  *            vertex_of_row (int64)
  *
- * The C++ headers data.hpp, convex_hull.hpp, voronoi.hpp, check.hpp and tiles.hpp describe the members in
- * full. */
+ * The C++ headers data.hpp, convex_hull.hpp, voronoi.hpp, check.hpp, qhull_options.hpp and tiles.hpp describe
+ * the members in full. */
 /* clang-format on */
 typedef struct delone_object delone_object;
 
@@ -429,6 +432,11 @@ DELONE_C_API int delone_heights(const delone_object* hull, const double* composi
  * which heights are 0. */
 DELONE_C_API int delone_height_above(const delone_object* hull, const double* points, size_t num_queries,
                                      const delone_options* options, double* heights);
+
+/* The meaning of options of Qhull, with blanks between them, for functions in the place of others that run
+ * Qhull: "qhull_options". `program`: "delaunay", "voronoi", "hull" or "halfspaces". UNSUPPORTED, with the name
+ * of the option and the reason, for one that asks for a result that there is not. */
+DELONE_C_API int delone_qhull_options(const char* text, const char* program, delone_object** object);
 
 /* The volume of each region of a diagram that was made within the box low[j] <= x[j] <= high[j]: an
  * entry for each region. They add up to the volume of the box. Without a box: the member region_volumes.

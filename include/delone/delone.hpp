@@ -37,6 +37,7 @@
 #include <delone/predicates.hpp>
 #include <delone/printable.hpp>
 #include <delone/progress.hpp>
+#include <delone/qhull_options.hpp>
 #include <delone/rational.hpp>
 #include <delone/regular.hpp>
 #include <delone/site_cells.hpp>

@@ -73,7 +73,8 @@ const Rows& Rows::with_rows(std::size_t expected) const {
   return *this;
 }
 
-std::vector<int64_t> row_numbers(const octave_value& value, const char* name, std::size_t largest) {
+std::vector<int64_t> row_numbers(const octave_value& value, const char* name, std::size_t largest,
+                                 const char* items) {
   const Matrix given = real_matrix(value, name);
   std::vector<int64_t> numbers;
   numbers.reserve(static_cast<std::size_t>(given.numel()));
@@ -82,8 +83,8 @@ std::vector<int64_t> row_numbers(const octave_value& value, const char* name, st
       const double number = given(i, j);
       if (!(number >= 1 && number <= static_cast<double>(largest)) || number != std::floor(number))
         error_with_id("delone:invalid-argument",
-                      "delone: row %ld of %s has the number %g, and there are points 1 to %zu",
-                      static_cast<long>(i + 1), name, number, largest);
+                      "delone: row %ld of %s has the number %g, and there are %s 1 to %zu",
+                      static_cast<long>(i + 1), name, number, items, largest);
       numbers.push_back(static_cast<int64_t>(number) - 1);
     }
   return numbers;

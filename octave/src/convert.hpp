@@ -32,8 +32,10 @@ class Rows {
   const char* name_;
 };
 
-/// Row numbers of a matrix, from 0. Raises an error for a number that is not 1 … `largest`, naming its row.
-std::vector<int64_t> row_numbers(const octave_value& value, const char* name, std::size_t largest);
+/// Numbers of `items` in a matrix, from 0. Raises an error for a number that is not 1 … `largest`, naming its
+/// row.
+std::vector<int64_t> row_numbers(const octave_value& value, const char* name, std::size_t largest,
+                                 const char* items = "points");
 
 /// Numbers of the C interface, `columns` in each row, as a matrix.
 template <class T>

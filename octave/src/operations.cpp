@@ -103,6 +103,83 @@ octave_value_list cells(const Arguments& arguments, int) {
   }));
 }
 
+// ---- Changes, of a copy: values of Octave do not change ------------------------------------------------
+
+template <class Change>
+octave_value_list changed(const octave_value& value, Change change) {
+  const Object& of = object_of(value);
+  const octave_value copy = make([&](delone_object** to) { return delone_clone(of.get(), to); });
+  delone_object* const object = object_of(copy).get();
+  call([&] { return change(object); });
+  return ovl(copy);
+}
+
+/// insert (object, PTS)
+octave_value_list insert(const Arguments& arguments, int) {
+  const Rows points(arguments[1], "the matrix of points");
+  points.with_columns(dimension_of(object_of(arguments[0])));
+  return changed(arguments[0], [&](delone_object* object) {
+    return delone_insert(object, points.data(), points.size(), nullptr);
+  });
+}
+
+/// The rows that an edit names.
+std::vector<int64_t> edited_rows(const Arguments& arguments) {
+  const auto largest = static_cast<std::size_t>(integer_of(object_of(arguments[0]), "num_rows"));
+  return row_numbers(arguments[1], "the list of rows", largest, "rows");
+}
+
+/// remove (object, rows)
+octave_value_list remove(const Arguments& arguments, int) {
+  const std::vector<int64_t> rows = edited_rows(arguments);
+  return changed(arguments[0],
+                 [&](delone_object* object) { return delone_remove(object, rows.data(), rows.size()); });
+}
+
+/// move (object, rows, PTS)
+octave_value_list move(const Arguments& arguments, int) {
+  const std::vector<int64_t> rows = edited_rows(arguments);
+  const Rows to(arguments[2], "the matrix of points");
+  to.with_columns(dimension_of(object_of(arguments[0]))).with_rows(rows.size());
+  return changed(arguments[0], [&](delone_object* object) {
+    return delone_move(object, rows.data(), rows.size(), to.data(), nullptr);
+  });
+}
+
+// ---- Files ---------------------------------------------------------------------------------------------
+
+/// read (path, options)
+octave_value_list read(const Arguments& arguments, int) {
+  const std::string path = arguments[0].string_value();
+  const Options options(arguments[1]);
+  return ovl(make([&](delone_object** to) { return delone_read(path.c_str(), options.get(), to); }));
+}
+
+/// write (object, path, format)
+octave_value_list write(const Arguments& arguments, int) {
+  const Object& of = object_of(arguments[0]);
+  const std::string path = arguments[1].string_value(), format = arguments[2].string_value();
+  call([&] { return delone_write(of.get(), path.c_str(), format.c_str()); });
+  return {};
+}
+
+/// read_points (path, options)
+octave_value_list read_points(const Arguments& arguments, int) {
+  const std::string path = arguments[0].string_value();
+  const Options options(arguments[1]);
+  return ovl(make([&](delone_object** to) { return delone_read_points(path.c_str(), options.get(), to); }));
+}
+
+/// write_points (PTS, path, format)
+octave_value_list write_points(const Arguments& arguments, int) {
+  const Rows points(arguments[0], "the matrix of points");
+  const std::string path = arguments[1].string_value(), format = arguments[2].string_value();
+  call([&] {
+    return delone_write_points(points.data(), points.size(), points.columns(), path.c_str(), format.c_str());
+  });
+  return {};
+}
+
 // ---- Members -------------------------------------------------------------------------------------------
 
 /// get (object, name, ...)
@@ -112,6 +189,15 @@ octave_value_list get(const Arguments& arguments, int) {
   for (octave_idx_type i = 1; arguments[i].is_defined(); ++i)
     values.append(member_of(of.get(), arguments[i].string_value()));
   return values;
+}
+
+/// members (object): the names of all
+octave_value_list members(const Arguments& arguments, int) {
+  const Object& of = object_of(arguments[0]);
+  string_vector names;
+  for (std::size_t i = 0; const char* const name = delone_member(of.get(), i, nullptr); ++i)
+    names.append(std::string(name));
+  return ovl(Cell(names));
 }
 
 /// lists (object, offsets, items, number of the first item)
@@ -213,6 +299,19 @@ octave_value_list region_volumes(const Arguments& arguments, int) {
   return ovl(matrix_of(volumes.data(), volumes.size(), 1));
 }
 
+/// intersection_volumes (hulls, pairs)
+octave_value_list intersection_volumes(const Arguments& arguments, int) {
+  const Object& of = object_of(arguments[0]);
+  const auto hulls = static_cast<std::size_t>(integer_of(of, "num_hulls"));
+  const std::vector<int64_t> pairs = row_numbers(arguments[1], "the matrix of pairs", hulls, "hulls");
+  const Options options;
+  std::vector<double> volumes(pairs.size() / 2);
+  call([&] {
+    return delone_intersection_volumes(of.get(), pairs.data(), volumes.size(), options.get(), volumes.data());
+  });
+  return ovl(matrix_of(volumes.data(), volumes.size(), 1));
+}
+
 /// check (object, options): a report
 octave_value_list check(const Arguments& arguments, int) {
   const Object& of = object_of(arguments[0]);
@@ -231,6 +330,13 @@ octave_value_list options(const Arguments& arguments, int) {
   return ovl(default_options());
 }
 
+/// qhull_options (text, program): what they ask for
+octave_value_list qhull_options(const Arguments& arguments, int) {
+  const std::string text = arguments[0].string_value(), program = arguments[1].string_value();
+  return ovl(
+      make([&](delone_object** to) { return delone_qhull_options(text.c_str(), program.c_str(), to); }));
+}
+
 octave_value_list version(const Arguments&, int) { return ovl(std::string(delone_version())); }
 
 using Operation = octave_value_list (*)(const Arguments&, int);
@@ -246,6 +352,14 @@ const std::map<std::string, Operation>& operations() {
       {"voronoi", voronoi},
       {"alpha_complex", alpha_complex},
       {"cells", cells},
+      {"insert", insert},
+      {"remove", remove},
+      {"move", move},
+      {"read", read},
+      {"write", write},
+      {"read_points", read_points},
+      {"write_points", write_points},
+      {"members", members},
       {"get", get},
       {"lists", lists},
       {"locate", locate},
@@ -254,8 +368,10 @@ const std::map<std::string, Operation>& operations() {
       {"interpolator", interpolator},
       {"interpolate", interpolate},
       {"region_volumes", region_volumes},
+      {"intersection_volumes", intersection_volumes},
       {"check", check},
       {"options", options},
+      {"qhull_options", qhull_options},
       {"version", version},
   };
   return all;

@@ -50,17 +50,15 @@
 #' tsearchn(p, t, cbind(0.5, 0.2, 0.1))$idx
 NULL
 
-without_effect <- paste0("^(", paste(c(
-  "Qt", "QJ[0-9.eE+-]*", "Qbb", "QbB", "Qz", "Qc", "Qx", "Q[0-9]+", "Qs", "Qf", "Qm", "Qr", "Qv", "Qw", "Qa", "Qi", "Pp", "T[a-zPCvVsz][0-9]*",
-  "T-?[0-9]+", "C-?[0-9.eE+-]+", "A-?[0-9.eE+-]+", "[EVUWR][0-9.eE+-]+", "i", "Fa", "Fn", "FA", "n", "Fv"), collapse = "|"), ")$")
-
-# The words of options; those that would change what is returned, and have no place here, are refused.
-words_of <- function(..., honoured = character(), call = sys.call(-1)) {
-  words <- unlist(lapply(list(...), function(text) if (is.character(text)) strsplit(paste(text, collapse = " "), "[ ,]+")))
+# The words of options of Qhull. The library knows what they mean for a program, "delaunay", "hull" or "halfspaces"; those that would
+# change what is returned, and have no place here, are refused. `furthest_site` is an attribute of the words.
+words_of <- function(program, ..., call = sys.call(-1)) {
+  texts <- Filter(is.character, list(...))
+  words <- as.character(unlist(lapply(texts, function(text) strsplit(paste(text, collapse = " "), "[ ,]+"))))
   words <- words[nzchar(words)]
-  bad <- words[!grepl(without_effect, words) & !words %in% honoured]
-  if (length(bad)) raise("unsupported", paste0("the option ", bad[1], " of Qhull is not available"), call = call)
-  words
+  asked <- as_object(.Call(C_qhull_options, paste(words, collapse = " "), program), call = call)
+  if (member(asked, "good_row") >= 0) raise("unsupported", "the option QG of Qhull is not available: all facets are returned", call = call)
+  structure(words, furthest_site = member(asked, "furthest_site") == 1)
 }
 
 # Whether output is wanted: by its option, or by TRUE.
@@ -69,9 +67,9 @@ wants <- function(words, option, output.options) option %in% words || isTRUE(out
 #' @rdname geometry
 #' @export
 delaunayn <- function(p, options = NULL, output.options = NULL, full = FALSE) {
-  words <- words_of(options, output.options, honoured = "Qu")
+  words <- words_of("delaunay", options, output.options)
   p <- as_points(p, "p")
-  made <- if ("Qu" %in% words) furthest_site(p) else delaunay(p)
+  made <- if (attr(words, "furthest_site")) furthest_site(p) else delaunay(p)
   d <- ncol(p)
   is_flat <- made$affine_dimension < d
   tri <- if (is_flat) matrix(0L, 0, d + 1) else made$cells
@@ -101,7 +99,7 @@ simplex_volumes <- function(p, cells) {
 #' @rdname geometry
 #' @export
 convhulln <- function(p, options = "Tv", output.options = NULL, return.non.triangulated.facets = FALSE) {
-  words <- words_of(options, output.options)
+  words <- words_of("hull", options, output.options)
   p <- as_points(p, "p")
   made <- convex_hull(p)
   if (made$affine_dimension < ncol(p))
@@ -166,7 +164,7 @@ inhulln <- function(ch, p) {
 #' @rdname geometry
 #' @export
 halfspacen <- function(p, fp, options = "Tv") {
-  words_of(options)
+  words_of("halfspaces", options)
   made <- halfspaces(p, if (missing(fp)) NULL else fp)
   if (made$state != "full") raise("invalid_argument", "p: no point is strictly inside all halfspaces")
   made$vertices
@@ -186,7 +184,7 @@ feasible.point <- function(ch1, ch2, tol = 0) {
 #' @rdname geometry
 #' @export
 intersectn <- function(ps1, ps2, tol = 0, return.chs = TRUE, options = "Tv", fp = NULL, autoscale = FALSE) {
-  words_of(options)
+  words_of("hull", options)
   ch1 <- convhulln(ps1, output.options = TRUE)
   ch2 <- convhulln(ps2, output.options = TRUE)
   if (ncol(ch1$p) != ncol(ch2$p))

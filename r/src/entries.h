@@ -36,6 +36,7 @@ SEXP delone_r_region_volumes(SEXP diagram, SEXP low, SEXP high, SEXP regions, SE
 SEXP delone_r_intersection_volumes(SEXP hulls, SEXP pairs, SEXP list);
 SEXP delone_r_orientation(SEXP points);
 SEXP delone_r_in_sphere(SEXP points, SEXP query);
+SEXP delone_r_qhull_options(SEXP text, SEXP program);
 SEXP delone_r_version(void);
 SEXP delone_r_simplex_volumes(SEXP edges, SEXP dimension);
 

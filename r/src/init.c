@@ -36,6 +36,7 @@ static const R_CallMethodDef entries[] = {
     ENTRY(intersection_volumes, 3),
     ENTRY(orientation, 1),
     ENTRY(in_sphere, 2),
+    ENTRY(qhull_options, 2),
     ENTRY(version, 0),
     ENTRY(simplex_volumes, 2),
     {NULL, NULL, 0},

@@ -68,6 +68,15 @@ SEXP delone_r_cells(SEXP points, SEXP cells) {
   UNPROTECT(1);
   return result;
 }
+SEXP delone_r_qhull_options(SEXP text, SEXP program) {
+  SEXP pointer = PROTECT(new_pointer()), result;
+  delone_object* object = NULL;
+  const int status = CALL(
+      delone_qhull_options(Rf_translateCharUTF8(STRING_ELT(text, 0)), CHAR(STRING_ELT(program, 0)), &object));
+  result = finished(pointer, status, object);
+  UNPROTECT(1);
+  return result;
+}
 SEXP delone_r_interpolator(SEXP triangulation, SEXP values, SEXP natural, SEXP smooth) {
   const delone_object* const of = object_of(triangulation);
   SEXP pointer = PROTECT(new_pointer()), result;

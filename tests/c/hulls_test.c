@@ -264,7 +264,26 @@ static void cells_of_sites(void) {
   delone_options_free(options);
 }
 
+static void options_of_qhull(void) {
+  delone_object* found;
+  OK(delone_qhull_options("Qt QG-3 C-0.5", "hull", &found));
+  CHECK(strcmp(delone_kind(found), "qhull_options") == 0);
+  CHECK(get_integer(found, "good_row") == 3 && get_integer(found, "good_visible") == 0);
+  CHECK(get_integer(found, "furthest_site") == 0 && get_real(found, "centrum") == 0.5);
+  CHECK(isnan(get_real(found, "roundoff")) && get_real(found, "width") == 0);
+  delone_free(found);
+  OK(delone_qhull_options("Qu Qbb", "delaunay", &found));
+  CHECK(get_integer(found, "furthest_site") == 1 && get_integer(found, "scaled") == 1);
+  CHECK(get_integer(found, "good_row") == -1);
+  delone_free(found);
+  FAILS(DELONE_UNSUPPORTED, delone_qhull_options("Qt Qu", "hull", &found));
+  CHECK(strstr(delone_error_message(), "'Qu'") != NULL);
+  FAILS(DELONE_INVALID_ARGUMENT, delone_qhull_options("Qt", "rbox", &found));
+  FAILS(DELONE_INVALID_ARGUMENT, delone_qhull_options(NULL, "hull", &found));
+}
+
 void hulls_test(void) {
+  options_of_qhull();
   cube();
   hull_with_a_tolerance();
   tolerances_of_axes();

@@ -20,7 +20,7 @@ function [H, V] = convhulln (pts, options = [])
   if (nargin < 1)
     delone.internal.usage ("convhulln");
   endif
-  delone.internal.qhull_options ("convhulln", options);
+  delone.internal.qhull_options ("convhulln", options, "hull");
   hull = __delone__ ("convex_hulls", pts, [0; rows(pts)]);
   [H, V] = __delone__ ("get", hull, "cells", "volumes");
 endfunction

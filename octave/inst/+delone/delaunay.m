@@ -17,7 +17,12 @@ function T = delaunay (varargin)
   if (nargin < 1 || nargin > 4)
     delone.internal.usage ("delaunay");
   endif
-  T = delone.delaunayn (delone.internal.coordinates ("delaunay", varargin));
+  [pts, furthest] = delone.internal.coordinates ("delaunay", varargin);
+  if (furthest)
+    T = delone.furthest_site (pts);
+  else
+    T = delone.delaunayn (pts);
+  endif
 endfunction
 
 %!test
@@ -25,12 +30,14 @@ endfunction
 %! y = [0, 1, 0, -1, 0];
 %! assert (sortrows (sort (delone.delaunay (x, y), 2)), [1,2,5; 1,4,5; 2,3,5; 3,4,5]);
 %! assert (delone.delaunay ([x(:), y(:)], "Qt"), delone.delaunay (x, y));
-%!test
+%!shared x
 %! x = rand (50, 3);
+%!test
 %! assert (delone.delaunay (x(:,1), x(:,2), x(:,3)), delone.delaunayn (x));
 %!test
 %! ## the flat of three integer coordinates
 %! assert (delone.delaunay (int8 ([0 1 0]), int8 ([0 0 1])), [1 2 3]);
+%!assert (delone.delaunay (x(:,1), x(:,2), "Qu"), delone.furthest_site (x(:,1:2)))
 %!error <Invalid call> delone.delaunay ()
 %!error <X must be a matrix with 2 or 3 columns> delone.delaunay (ones (2, 4))
 %!error <a coordinate of point 3> delone.delaunay ([1 2 3], [1 2 Inf])

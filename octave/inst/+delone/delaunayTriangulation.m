@@ -23,7 +23,12 @@
 ## @item [@var{V}, @var{R}] = voronoiDiagram (@var{t})
 ## as of delone.voronoin,
 ## @item [@var{C}, @var{r}] = circumcenter (@var{t}), circumcenter (@var{t}, @var{id})
-## the centers and radii of circumscribed spheres.
+## the centers and radii of circumscribed spheres,
+## @item @var{u} = insert (@var{t}, @var{pts}), @var{u} = remove (@var{t}, @var{rows}), @var{u} = move (@var{t}, @var{rows}, @var{pts})
+## another triangulation, of more points, of fewer, or with other points in some rows.  It is exactly that of the points that it has.
+## Rows keep their numbers; the points of removed rows are NaN,
+## @item write (@var{t}, @var{file}), write (@var{t}, @var{file}, @var{format})
+## writes it as @code{delone.write} does.
 ## @end table
 ## @seealso{delone.delaunayn}
 ## @end deftypefn
@@ -48,11 +53,26 @@ classdef delaunayTriangulation
         pts = delone.internal.coordinates ("delaunayTriangulation", varargin);
       endif
       t.object = __delone__ ("delaunay", pts);
-      t.Points = full (double (pts));
-      t.ConnectivityList = __delone__ ("get", t.object, "cells");
-      if (columns (t.ConnectivityList) != columns (pts) + 1)
-        t.ConnectivityList = zeros (0, columns (pts) + 1);
-      endif
+      t = with_members (t);
+    endfunction
+
+    function t = insert (t, pts)
+      t.object = __delone__ ("insert", t.object, pts);
+      t = with_members (t);
+    endfunction
+
+    function t = remove (t, rows)
+      t.object = __delone__ ("remove", t.object, rows(:));
+      t = with_members (t);
+    endfunction
+
+    function t = move (t, rows, pts)
+      t.object = __delone__ ("move", t.object, rows(:), pts);
+      t = with_members (t);
+    endfunction
+
+    function write (t, file, format = "")
+      __delone__ ("write", t.object, file, format);
     endfunction
 
     function n = neighbors (t, id = (1:rows (t.ConnectivityList))')
@@ -65,11 +85,13 @@ classdef delaunayTriangulation
     endfunction
 
     function [H, v] = convexHull (t)
+      present = find (! isnan (t.Points(:,1)));
       if (columns (t.Points) == 2)
-        [H, v] = delone.convhull (t.Points);
+        [H, v] = delone.convhull (t.Points(present,:));
       else
-        [H, v] = delone.convhulln (t.Points);
+        [H, v] = delone.convhulln (t.Points(present,:));
       endif
+      H = present(H);
     endfunction
 
     function [id, B] = pointLocation (t, varargin)
@@ -104,6 +126,15 @@ classdef delaunayTriangulation
     function disp (t)
       printf ("  delaunayTriangulation of %d points in %d dimensions: %d simplices\n", rows (t.Points), columns (t.Points),
               rows (t.ConnectivityList));
+    endfunction
+  endmethods
+
+  methods (Access = private)
+    function t = with_members (t)
+      [t.Points, t.ConnectivityList, d] = __delone__ ("get", t.object, "points", "cells", "dimension");
+      if (columns (t.ConnectivityList) != d + 1)
+        t.ConnectivityList = zeros (0, d + 1);
+      endif
     endfunction
   endmethods
 endclassdef
@@ -170,6 +201,36 @@ endfunction
 %! u = delone.delaunayTriangulation ([0 1 0 1], [0 0 1 1]);
 %! assert (convexHull (u), [1; 2; 4; 3; 1]);
 %! assert (size (u.ConnectivityList), [2 3]);
+%!test
+%! ## changes, of copies
+%! more = insert (t, [2 2 2; 3 0 0]);
+%! assert (more.Points, [x; 2 2 2; 3 0 0]);
+%! assert (sortrows (sort (more.ConnectivityList, 2)), sortrows (sort (delone.delaunayn (more.Points), 2)));
+%! fewer = remove (more, [3; 51]);
+%! assert (find (isnan (fewer.Points(:,1))), [3; 51]);
+%! rest = setdiff (1:52, [3, 51])';
+%! assert (sortrows (sort (fewer.ConnectivityList, 2)), sortrows (sort (rest(delone.delaunayn (more.Points(rest,:))), 2)));
+%! [H, v] = convexHull (fewer);
+%! assert (! any (ismember ([3; 51], H)));
+%! assert (v, nthargout (2, @delone.convhulln, more.Points(rest,:)), 1e-14);
+%! moved = move (t, [1; 2], [0.1 0.2 0.3; 5 5 5]);
+%! y = [0.1 0.2 0.3; 5 5 5; x(3:end,:)];
+%! assert (moved.Points, y);
+%! assert (sortrows (sort (moved.ConnectivityList, 2)), sortrows (sort (delone.delaunayn (y), 2)));
+%! assert (t.Points, x);
+%!test
+%! file = [tempname() ".npz"];
+%! unwind_protect
+%!   write (t, file);
+%!   s = delone.read (file);
+%!   assert (s.kind, "delaunay");
+%!   assert (s.points, x);
+%! unwind_protect_cleanup
+%!   delete (file);
+%! end_unwind_protect
+%!error <row 1 of the list of rows has the number 51, and there are rows 1 to 50> remove (t, 51)
+%!error <the matrix of points has 2 columns, and must have 3> insert (t, [1 2])
+%!error <the matrix of points has 1 rows, and must have 2> move (t, [1; 2], [1 2 3])
 %!error <Invalid call> delone.delaunayTriangulation ()
 %!error <a coordinate of point 2> delone.delaunayTriangulation ([0 0; NaN 1])
 %!demo

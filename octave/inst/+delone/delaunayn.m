@@ -10,8 +10,8 @@
 ## is flat, and none is missing.  The simplices depend on the set of points only, also where more points than needed lie on one sphere.
 ## They are positively oriented.  If the points lie in a hyperplane there are none.
 ##
-## @var{options} of Qhull, a string or a cell array of strings, are accepted.  They change nothing; those that ask for another result are
-## errors.  NaN and Inf are errors.
+## @var{options} of Qhull, a string or a cell array of strings, are accepted: "Qu" asks for @code{delone.furthest_site}, and most others
+## change nothing.  Those that ask for another result are errors.  NaN and Inf are errors.
 ##
 ## @example
 ## @group
@@ -25,7 +25,10 @@ function T = delaunayn (pts, options = [])
   if (nargin < 1)
     delone.internal.usage ("delaunayn");
   endif
-  delone.internal.qhull_options ("delaunayn", options);
+  if (delone.internal.qhull_options ("delaunayn", options, "delaunay"))
+    T = delone.furthest_site (pts);
+    return;
+  endif
   t = __delone__ ("delaunay", pts);
   T = __delone__ ("get", t, "cells");
   if (columns (T) != columns (pts) + 1)
@@ -64,8 +67,10 @@ endfunction
 %! assert (delone.delaunayn ([1 2]), zeros (0, 3));
 %! assert (delone.delaunayn (zeros (0, 3)), zeros (0, 4));
 %! assert (delone.delaunayn ([1; 3; 2; 2]), [1 3; 3 2]);
+%!assert (delone.delaunayn ([0 0; 1 0; 0 1; 5 5], "Qu"), delone.furthest_site ([0 0; 1 0; 0 1; 5 5]))
 %!error <Invalid call> delone.delaunayn ()
 %!error <OPTIONS must be a string> delone.delaunayn (ones (2), struct ())
+%!error <delaunayn: Qhull option 'QR1': it rotates> delone.delaunayn (ones (2), "QR1")
 %!error id=delone:not-finite delone.delaunayn ([0 0; 1 NaN; 2 2])
 %!error <a coordinate of point 2 is not finite \(and of 1 more\)> delone.delaunayn ([0 0; 1 NaN; -Inf 2])
 %!error id=delone:invalid-argument delone.delaunayn ([1 2] * i)

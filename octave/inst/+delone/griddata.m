@@ -71,7 +71,7 @@ endfunction
 
 function vi = in_space (x, y, z, v, xi, yi, zi, method = "linear", options = [])
   method = delone.internal.method ("griddata", method, {"linear", "nearest", "natural", "smooth"});
-  delone.internal.qhull_options ("griddata", options);
+  delone.internal.qhull_options ("griddata", options, "delaunay");
   [x, y, z] = lines_or_points (x, y, z);
   if (numel (v) != numel (x) || ! size_equal (x, y, z))
     error ("delone:invalid-argument", "griddata: X, Y, Z, and V must have equal sizes");

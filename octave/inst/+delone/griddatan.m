@@ -28,7 +28,7 @@ function yi = griddatan (x, y, xi, method = "linear", options = [])
     error ("delone:bad-dimension", "griddatan: the dimension of the queries XI (columns) must match X");
   endif
   method = delone.internal.method ("griddatan", method, {"linear", "nearest", "natural", "smooth"});
-  delone.internal.qhull_options ("griddatan", options);
+  delone.internal.qhull_options ("griddatan", options, "delaunay");
   yi = delone.interpolate (x, y, xi, method, delone.internal.rounding (x));
 endfunction
 

@@ -10,7 +10,8 @@
 ## the numbers of the vertices of the region of point i; a region that is not bounded has vertex 1.  In the plane they go around the region.
 ## Equal points share a region.  Vertices are rounded once, and more than d+1 points on a sphere have one vertex.
 ##
-## @var{options} of Qhull are accepted, as in @code{delone.delaunayn}.
+## @var{options} of Qhull are accepted, as in @code{delone.delaunayn}: with "Qu" a region has what is farther from its point than from
+## all others, and points that are not extreme have none, an empty @var{F}@{i@}.
 ## @seealso{voronoin, delone.region_volumes}
 ## @end deftypefn
 
@@ -18,11 +19,14 @@ function [C, F] = voronoin (pts, options = [])
   if (nargin < 1)
     delone.internal.usage ("voronoin");
   endif
-  delone.internal.qhull_options ("voronoin", options);
+  kind = "delaunay";
+  if (delone.internal.qhull_options ("voronoin", options, "voronoi"))
+    kind = "furthest_site";
+  endif
   if (rows (pts) <= columns (pts))
     error ("delone:invalid-argument", "voronoin: number of points must be greater than their dimension");
   endif
-  [C, F] = delone.internal.regions (__delone__ ("delaunay", pts));
+  [C, F] = delone.internal.regions (__delone__ (kind, pts));
 endfunction
 
 %!test
@@ -43,6 +47,16 @@ endfunction
 %!   for v = F{i}
 %!     r = norm (C(v,:) - x(i,:));
 %!     assert (min (sqrt (sum ((x - C(v,:)).^2, 2))), r, 1e-9 * max (1, r));
+%!   endfor
+%! endfor
+%!test
+%! ## the farthest of all points
+%! x = [0 0; 4 0; 5 3; 1 4; 2 2];
+%! [C, F] = delone.voronoin (x, "Qu");
+%! assert (F{5}, zeros (1, 0));
+%! for i = 1:4
+%!   for v = F{i}(F{i} > 1)
+%!     assert (norm (C(v,:) - x(i,:)), max (sqrt (sum ((x - C(v,:)).^2, 2))), 1e-12);
 %!   endfor
 %! endfor
 %!error <Invalid call> delone.voronoin ()

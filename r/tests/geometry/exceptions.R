@@ -7,7 +7,7 @@ exceptions <- list(
   list(file = "test-convhulln.R", line = "expect_error(out <- convhulln(ordination), \"QH6114",
        reason = "expects that Qhull gives up; the hull of these points is a result here"),
   list(file = "test-convhulln.R", line = "convhulln(tr, paste0(\"Fx TO '\"",
-       reason = "Qhull's options Fx and TO, which print to a file, are refused"),
+       reason = "Qhull's option TO, which prints to a file, is refused"),
   list(file = "test-delaunayn.R", line = "pst <- delaunayn(ps, paste0(\"QJ TO '\"",
        reason = "Qhull's option TO, which prints to a file, is refused"),
   list(file = "test-delaunayn.R", line = "expect_warning(tsearchn(ps, ts, cbind(1, 2, 4)))",

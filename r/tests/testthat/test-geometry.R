@@ -35,7 +35,8 @@ test_that("a square has two triangles, and repeated points are no error", {
 test_that("options of Qhull without a purpose have no effect, others are refused", {
   expect_equal(delaunayn(cube, "QJ Pp"), delaunayn(cube))
   expect_error(delaunayn(cube, "TO 'file'"), "TO", class = "delone_error_unsupported")
-  expect_error(convhulln(cube, "Fx"), "Fx", class = "delone_error_unsupported")
+  expect_error(convhulln(cube, "QG0"), "QG", class = "delone_error_unsupported")
+  expect_error(convhulln(cube, "QR3"), "QR3", class = "delone_error_unsupported")
 })
 
 test_that("a point that is not inside is an error", {

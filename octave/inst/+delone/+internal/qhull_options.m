@@ -2,14 +2,15 @@
 ## SPDX-License-Identifier: BSD-3-Clause
 
 ## -*- texinfo -*-
-## @deftypefn {} {} delone.internal.qhull_options (@var{caller}, @var{options})
-## Examine the options of Qhull that a function of Octave's names is given.
+## @deftypefn {} {@var{furthest} =} delone.internal.qhull_options (@var{caller}, @var{options}, @var{program})
+## Examine the options of Qhull that a function of Octave's names is given: whether they ask for furthest sites.
 ##
-## All results are exact, so most options have nothing to change.  Those that ask
-## for another result are errors.
+## The library knows what an option means for a @var{program}: "delaunay", "voronoi" or "hull".  Most have nothing to change, as all
+## results are exact.  Those that ask for a result that the function does not have are errors; so are furthest sites if nothing is returned.
 ## @end deftypefn
 
-function qhull_options (caller, options)
+function furthest = qhull_options (caller, options, program)
+  furthest = false;
   if (isempty (options))
     return;
   endif
@@ -18,17 +19,25 @@ function qhull_options (caller, options)
   elseif (! iscellstr (options))
     error ("delone:invalid-argument", "%s: OPTIONS must be a string or cell array of strings", caller);
   endif
-  words = strsplit (strtrim (strjoin (options(:)', " ")));
-  ## Q: scales or drops a coordinate, rotates, selects facets, furthest sites; T: stops early or names a file; P: selects
-  ## facets; d, v, H: other programs.
-  refused = "^(Q[bB][k\\d].*|QR-?\\d*|QV-?\\d*|QG.*|Qg|Qi|Qu|T[ACV]-?\\d+|T[IO].*|P[dD]\\d.*|P[AFM]\\d+.*|[dv]|H.*)$";
-  for i = 1:numel (words)
-    if (! isempty (regexp (words{i}, refused, "once")))
-      error ("delone:unsupported", "%s: Qhull's option \"%s\" asks for a result that delone does not have", caller, words{i});
-    endif
-  endfor
+  try
+    found = __delone__ ("qhull_options", strjoin (options(:)', " "), program);
+  catch problem
+    error (problem.identifier, "%s: %s", caller, regexprep (problem.message, "^delone: ", ""));
+  end_try_catch
+  [furthest, good] = __delone__ ("get", found, "furthest_site", "good_row");
+  furthest = logical (furthest);
+  if (good >= 0)
+    error ("delone:unsupported", "%s: Qhull's option QG selects facets, and all are returned", caller);
+  elseif (furthest && nargout == 0)
+    error ("delone:unsupported", "%s: Qhull's option Qu asks for furthest sites", caller);
+  endif
 endfunction
 
-%!test delone.internal.qhull_options ("f", {"Qt", "Qbb Qc"});
-%!error <OPTIONS must be a string or cell array> delone.internal.qhull_options ("f", struct ())
-%!error <"Qu"> delone.internal.qhull_options ("f", "Qt Qu")
+%!assert (delone.internal.qhull_options ("f", {"Qt", "Qbb Qc"}, "delaunay"), false)
+%!assert (delone.internal.qhull_options ("f", "Qt Qu", "voronoi"), true)
+%!assert (delone.internal.qhull_options ("f", [], "hull"), false)
+%!error <OPTIONS must be a string or cell array> delone.internal.qhull_options ("f", struct (), "hull")
+%!error <f: Qhull option 'Qu': only triangulations> delone.internal.qhull_options ("f", "Qt Qu", "hull")
+%!error id=delone:unsupported delone.internal.qhull_options ("f", "TOfile", "hull")
+%!error <Qu asks for furthest sites> delone.internal.qhull_options ("f", "Qu", "delaunay")
+%!error <QG selects facets> delone.internal.qhull_options ("f", "QG0", "hull")

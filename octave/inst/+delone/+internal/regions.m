@@ -10,7 +10,9 @@ function [C, F] = regions (triangulation)
   diagram = __delone__ ("voronoi", triangulation);
   [vertices, region] = __delone__ ("get", diagram, "vertices", "point_region");
   C = [Inf(1, columns (vertices)); vertices];
-  F = __delone__ ("lists", diagram, "region_offsets", "region_vertices", 2)(region);
+  F = repmat ({zeros(1, 0)}, numel (region), 1);
+  has = ! isnan (region);
+  F(has) = __delone__ ("lists", diagram, "region_offsets", "region_vertices", 2)(region(has));
 endfunction
 
 %!test
