@@ -68,10 +68,13 @@ class RayNumbers {
   }
 
   const std::vector<T>& rays() const { return rays_; }
+  /// Primitive.
   Row ray(RayId id) const {
+    std::vector<T> entries(of(id), of(id) + dimension_);
+    Arithmetic<T>::make_primitive(entries.data(), dimension_);
     Row row;
     row.reserve(dimension_);
-    for (std::size_t i = 0; i < dimension_; ++i) row.push_back(as_integer(of(id)[i]));
+    for (const T& x : entries) row.push_back(as_integer(x));
     return row;
   }
   std::uint32_t find_signs_of(RayId id, std::size_t first, Bits zeros) {
@@ -91,7 +94,8 @@ class RayNumbers {
       if (!arithmetic_.try_product(row_at(row), of(positive), d, at_positive) ||
           !arithmetic_.try_product(row_at(row), of(negative), d, at_negative) ||
           !arithmetic_.try_combine(of(positive), of(negative), at_positive,
-                                   typename Arithmetic<T>::Product(-at_negative), d, &new_rays_[i * d]))
+                                   typename Arithmetic<T>::Product(-at_negative),
+                                   divisor_of(graph, positive, negative, words), d, &new_rays_[i * d]))
         return false;
       // All rays are on the inner side of earlier rows: a sum of two lies on those that both lie on.
       const Bits zeros = made.zeros[i];
@@ -131,6 +135,29 @@ class RayNumbers {
         }
       }
     return end == rounded_rows_.size() ? RayGraph::none : static_cast<std::uint32_t>(end);
+  }
+  /// A number that probably divides the combination of two rays; 0 if there is none. Let both be simple, on
+  /// rows Z and one more, a and b, and let the entries of a ray be the minors of its rows. Then, by Plücker's
+  /// relation, the combination that lies on row k is b·p times the minors of Z and k, and b·p = a·n.
+  typename Arithmetic<T>::Product divisor_of(const RayGraph& graph, RayId p, RayId n,
+                                             std::size_t words) const {
+    typename Arithmetic<T>::Product at_p = product_with_other(graph, p, n, words),
+                                    at_n = product_with_other(graph, n, p, words);
+    return at_p < at_n ? at_p : at_n;
+  }
+  /// The product of a ray and the first row that the other one lies on, but not the ray; 0 if it is too
+  /// large.
+  typename Arithmetic<T>::Product product_with_other(const RayGraph& graph, RayId ray, RayId other,
+                                                     std::size_t words) const {
+    const ConstBits a = graph.zeros(ray), b = graph.zeros(other);
+    typename Arithmetic<T>::Product product = 0;
+    for (std::size_t w = 0; w < words; ++w) {
+      if ((b[w] & ~a[w]) == 0) continue;
+      const std::size_t row = 64 * w + static_cast<std::size_t>(std::countr_zero(b[w] & ~a[w]));
+      if (!arithmetic_.try_product(row_at(row), of(ray), dimension_, product)) product = 0;
+      break;
+    }
+    return product;
   }
   static void forget_from(std::size_t row, Bits zeros) {
     zeros[row / 64] &= bit(row) - 1;
