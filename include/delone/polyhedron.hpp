@@ -64,7 +64,7 @@ struct DELONE_EXPORT_TYPE RationalBox {
 ///
 /// A Polyhedron does not change, and copies share it; `const` members may be called from several threads
 /// at once. What makes one throws Errc::cancelled, too_many, out_of_memory and time_limit; of the options
-/// only progress, memory_limit and time_limit count. Members with rows throw Errc::bad_dimension for rows of
+/// threads, progress, memory_limit and time_limit count. Members with rows throw Errc::bad_dimension for rows of
 /// a wrong width.
 class DELONE_EXPORT Polyhedron {
  public:

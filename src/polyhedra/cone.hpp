@@ -28,7 +28,7 @@ struct ConeRays {
   BitRows zeros;
 };
 
-/// Throws Errc::cancelled, too_many, and at limits.
-ConeRays find_rays(const Rows& rows, const Rows& equations, std::size_t dimension);
+/// Throws Errc::cancelled, too_many, and at limits. `threads`: as Options::threads.
+ConeRays find_rays(const Rows& rows, const Rows& equations, std::size_t dimension, unsigned threads = 1);
 
 }  // namespace delone::polyhedra

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "polyhedra/double_description.hpp"
 
+#include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
 #include "polyhedra/ray_graph.hpp"
 #include "polyhedra/ray_numbers.hpp"
@@ -17,8 +18,8 @@ namespace {
 /// be repeated with other integers.
 class Steps {
  public:
-  Steps(const PointedCone& cone, Tier first)
-      : cone_(cone), tier_(first), progress_(no_function_, cone.rows.size()) {}
+  Steps(const PointedCone& cone, unsigned threads, Tier first)
+      : cone_(cone), threads_(threads), tier_(first), progress_(no_function_, cone.rows.size()) {}
 
   PointedRays run() {
     if (tier_ == Tier::small && !try_all(small_)) {
@@ -70,26 +71,38 @@ class Steps {
   bool try_step(RayNumbers<T>& numbers) {
     NewRays made;
     made.edges = graph_->edges_cut_by(row_);
-    if (!numbers.try_cut(row_, *graph_, made)) return false;
+    if (!numbers.try_cut(row_, *graph_, made, threads_)) return false;
     std::vector<RayId> ids;
     graph_->commit(row_, made, ids);
     numbers.commit(*graph_, ids);
-    graph_->connect(row_);
+    graph_->connect(row_, threads_);
     return true;
   }
   template <class T>
-  PointedRays result(const RayNumbers<T>& numbers) const {
+  PointedRays result(RayNumbers<T>& numbers) {
+    const std::vector<RayId> ids = graph_->rays();
     PointedRays result;
-    result.zeros = BitRows(graph_->rays().size(), cone_.rows.size());
-    for (const RayId ray : graph_->rays()) {
-      const ConstBits zeros = graph_->zeros(ray);
-      std::copy(zeros.begin(), zeros.end(), result.zeros[result.rays.size()].begin());
-      result.rays.push_back(numbers.ray(ray));
+    result.zeros = BitRows(ids.size(), cone_.rows.size());
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      const ConstBits zeros = graph_->zeros(ids[i]);
+      std::copy(zeros.begin(), zeros.end(), result.zeros[i].begin());
     }
+    graph_.reset();  // before large rows are made
+    numbers.end_steps();
+    result.rays.resize(ids.size());
+    constexpr std::size_t part = 1024;
+    internal::for_parts(threads_, ids.size(), part,
+                        [&](std::size_t first, std::size_t last, const internal::StopPoint& stop) {
+                          for (std::size_t i = first; i < last; ++i) {
+                            stop();
+                            result.rays[i] = numbers.ray(ids[i]);
+                          }
+                        });
     return result;
   }
 
   const PointedCone& cone_;
+  const unsigned threads_;
   Tier tier_;
   const std::function<bool(double)> no_function_;
   internal::ProgressMeter progress_;
@@ -102,6 +115,8 @@ class Steps {
 
 }  // namespace
 
-PointedRays find_rays_of_pointed(const PointedCone& cone, Tier first) { return Steps(cone, first).run(); }
+PointedRays find_rays_of_pointed(const PointedCone& cone, unsigned threads, Tier first) {
+  return Steps(cone, threads, first).run();
+}
 
 }  // namespace delone::polyhedra

@@ -24,6 +24,7 @@ enum class Tier { small, medium, large };
 
 /// The rays of a cone of dimension d ≥ 1, in no particular order. Numbers have 64 bits while these are
 /// enough, then 128, then any number: the step in which one is too large is repeated.
-PointedRays find_rays_of_pointed(const PointedCone& cone, Tier first = Tier::small);
+/// `threads`: as Options::threads; the rays are the same for each number.
+PointedRays find_rays_of_pointed(const PointedCone& cone, unsigned threads = 1, Tier first = Tier::small);
 
 }  // namespace delone::polyhedra

@@ -92,7 +92,7 @@ std::size_t RayGraph::rank_of(const std::vector<std::size_t>& rows) const {
 }
 
 /// A section that gets no new ray has to be looked at, too: two of its rays may have become adjacent.
-void RayGraph::connect(std::size_t row) {
+void RayGraph::connect(std::size_t row, unsigned threads) {
   if (section_.size() < 2 || row + 1 == num_rows()) return;
   std::sort(section_.begin(), section_.end(), [&](RayId a, RayId b) {
     return first_negative_[a] != first_negative_[b] ? first_negative_[a] < first_negative_[b] : a < b;
@@ -101,14 +101,15 @@ void RayGraph::connect(std::size_t row) {
   collect_section(row);
   constexpr std::size_t many = 400;
   if (section_.size() > many)
-    for (const Adjacency::Pair& pair : adjacency_.join_simple_rays())
+    for (const Adjacency::Pair& pair : adjacency_.join_simple_rays(threads))
       add_edge(section_[pair.first], section_[pair.second]);
   adjacency_.compare(
       [&](std::uint32_t i) { return first_negative_[section_[i]]; },
       [&](std::uint32_t i, std::uint32_t j) { return !is_zero(section_[j], first_negative_[section_[i]]); },
       [&](std::uint32_t i, std::uint32_t j) {
         edges_[first_negative_[section_[i]]].push_back({section_[j], section_[i]});
-      });
+      },
+      threads);
 }
 
 /// Gives adjacency_ the rays of the section with the used rows that they lie on, as the words in which they

@@ -60,8 +60,9 @@ class RayGraph {
   const std::vector<CutEdge>& edges_cut_by(std::size_t row);
   /// Removes the rays beyond the row, and adds those that were made; their numbers are appended to `ids`.
   void commit(std::size_t row, const NewRays& made, std::vector<RayId>& ids);
-  /// Finds the edges between the rays that lie on the row that was committed last.
-  void connect(std::size_t row);
+  /// Finds the edges between the rays that lie on the row that was committed last, in up to `threads` threads
+  /// (Options::threads).
+  void connect(std::size_t row, unsigned threads);
 
  private:
   bool is_zero(RayId ray, std::size_t row) const { return test(zeros_[ray], row); }
