@@ -24,7 +24,7 @@ namespace delone::polyhedra {
 struct ConeRays {
   Rows rays;   ///< primitive; one of each class modulo the lines, which is extreme there
   Rows lines;  ///< a basis of the lineality space
-  /// For each ray the rows that it lies on.
+  /// For each ray the rows that it lies on, all that are facets at least.
   BitRows zeros;
 };
 

@@ -3,11 +3,15 @@
 
 #include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
+#include "base/stopwatch.hpp"
+#include "polyhedra/insertion.hpp"
 #include "polyhedra/ray_graph.hpp"
 #include "polyhedra/ray_numbers.hpp"
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -21,7 +25,10 @@ class Steps {
   Steps(const PointedCone& cone, unsigned threads, Tier first)
       : cone_(cone), threads_(threads), tier_(first), progress_(no_function_, cone.rows.size()) {}
 
-  PointedRays run() {
+  /// Goes on until all calls have taken so many seconds. Whether it has come to the end.
+  bool run_until(double seconds) {
+    stopwatch_.restart();
+    seconds_left_ = seconds - seconds_;
     if (tier_ == Tier::small && !try_all(small_)) {
       medium_.take(small_);
       small_ = {};
@@ -33,16 +40,27 @@ class Steps {
       tier_ = Tier::large;
     }
     if (tier_ == Tier::large) try_all(large_);
+    seconds_ += stopwatch_.seconds();
+    return row_ == cone_.rows.size();
+  }
+  double seconds() const { return seconds_; }
+  PointedRays result() {
     if (tier_ == Tier::small) return result(small_);
     return tier_ == Tier::medium ? result(medium_) : result(large_);
+  }
+  /// Whether nine of ten rays at present are simple.
+  bool are_simple() const {
+    const std::size_t simple = graph_->num_simple_rays(), all = graph_->rays().size();
+    return 10 * simple >= 9 * all;
   }
 
  private:
   template <class T>
   bool try_all(RayNumbers<T>& numbers) {
-    if (!numbers.try_set_rows(cone_.rows)) return false;
+    if (!numbers.has_rows() && !numbers.try_set_rows(cone_.rows)) return false;
     if (!graph_ && !try_begin(numbers)) return false;
     for (; row_ < cone_.rows.size(); ++row_) {
+      if (stopwatch_.seconds() > seconds_left_) return true;
       progress_(row_);
       if (graph_->cuts(row_) && !try_step(numbers)) return false;
     }
@@ -104,6 +122,8 @@ class Steps {
   const PointedCone& cone_;
   const unsigned threads_;
   Tier tier_;
+  internal::Stopwatch stopwatch_;
+  double seconds_ = 0, seconds_left_ = 0;
   const std::function<bool(double)> no_function_;
   internal::ProgressMeter progress_;
   std::optional<RayGraph> graph_;
@@ -113,10 +133,38 @@ class Steps {
   RayNumbers<Integer> large_;
 };
 
+/// When insertion is tried, too, in cones of few dimensions: after so many seconds, and each time that four
+/// times as many have passed, it gets `factor` times as many as the steps had. It counts milliseconds in
+/// twenties, so there is no trial before.
+struct Trial {
+  std::size_t most_dimensions;
+  bool needs_simple_rays;
+  double first_seconds, factor;
+};
+constexpr Trial trials[] = {{5, false, 0.005, 5}, {6, true, 0.005, 5}, {7, true, 0.02, 1}};
+
 }  // namespace
 
-PointedRays find_rays_of_pointed(const PointedCone& cone, unsigned threads, Tier first) {
-  return Steps(cone, threads, first).run();
+PointedRays find_rays_by_steps(const PointedCone& cone, unsigned threads, Tier first) {
+  Steps steps(cone, threads, first);
+  steps.run_until(std::numeric_limits<double>::infinity());
+  return steps.result();
+}
+
+PointedRays find_rays_of_pointed(const PointedCone& cone, unsigned threads) {
+  Steps steps(cone, threads, Tier::small);
+  const auto trial = std::find_if(std::begin(trials), std::end(trials), [&](const Trial& t) {
+    return cone.first_rays.size() <= t.most_dimensions;
+  });
+  constexpr double growth = 4;
+  if (trial != std::end(trials))
+    for (double seconds = trial->first_seconds; !steps.run_until(seconds);
+         seconds = growth * steps.seconds()) {
+      if (trial->needs_simple_rays && !steps.are_simple()) break;
+      if (auto rays = find_rays_by_insertion(cone, trial->factor * steps.seconds())) return std::move(*rays);
+    }
+  steps.run_until(std::numeric_limits<double>::infinity());
+  return steps.result();
 }
 
 }  // namespace delone::polyhedra

@@ -36,6 +36,15 @@ void RayGraph::insert(RayId ray, ConstBits zeros, std::uint32_t first_negative) 
   if (first_negative != none) removed_by_[first_negative].push_back(ray);
 }
 
+std::size_t RayGraph::num_simple_rays() const {
+  return static_cast<std::size_t>(std::count_if(rays_.begin(), rays_.end(), [&](RayId ray) {
+    std::size_t rows = 0;
+    for (std::size_t w = 0; w < used_.size(); ++w)
+      rows += static_cast<std::size_t>(std::popcount(zeros_[ray][w] & used_[w]));
+    return rows + 1 == dimension_;
+  }));
+}
+
 void RayGraph::add(ConstBits zeros, std::uint32_t first_negative) { insert(new_id(), zeros, first_negative); }
 
 void RayGraph::connect_all() {

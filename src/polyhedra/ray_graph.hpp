@@ -50,6 +50,9 @@ class RayGraph {
   /// The rows that a ray lies on: all of them if no later row removes it, otherwise those before that row.
   ConstBits zeros(RayId ray) const { return zeros_[ray]; }
 
+  /// How many rays lie on one row less than there are dimensions, of those that have cut something.
+  std::size_t num_simple_rays() const;
+
   /// Adds a ray of the simplicial cone. When all are there, connect_all() makes their edges.
   void add(ConstBits zeros, std::uint32_t first_negative);
   void connect_all();

@@ -52,6 +52,7 @@ class RayNumbers {
     scratch_.open.resize(words_for(rows.size()));
     return true;
   }
+  bool has_rows() const { return !rows_.empty(); }
   /// Takes over the rays of a smaller kind of integers, which must all fit.
   template <class Smaller>
   void take(const RayNumbers<Smaller>& other) {

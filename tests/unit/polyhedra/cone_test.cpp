@@ -91,7 +91,7 @@ TEST(Cone, AllKindsOfIntegersFindTheSame) {
     }
     std::set<Row> rays[3];
     for (const Tier tier : {Tier::small, Tier::medium, Tier::large}) {
-      const PointedRays found = find_rays_of_pointed(cone, 1, tier);
+      const PointedRays found = find_rays_by_steps(cone, 1, tier);
       rays[static_cast<int>(tier)] = {found.rays.begin(), found.rays.end()};
       EXPECT_EQ(rays[static_cast<int>(tier)].size(), 272u)
           << step;  // facets of a cyclic polytope, 2·(17 choose 2)
