@@ -101,6 +101,7 @@ Run add_polyhedron(CLI::App& app) {
   options->build.add_output(app, "a description", {"ine", "ext"});
   app.add_flag("--stats", options->build.stats,
                "Print one JSON object about the result and its cost, and nothing else");
+  add_threads(app, options->build.threads);
   options->build.add_limits(app, "the polyhedron");
   return [options] { return run_polyhedron(*options); };
 }

@@ -59,13 +59,14 @@ struct DELONE_EXPORT_TYPE RationalBox {
 /// rows lexicographically.
 ///
 /// Method: the double description method (Motzkin et al. 1953; Fukuda and Prodon,
-/// doi:10.1007/3-540-61576-8_77), in integers of 64 bits, of 128, or of any size as they are needed. Signs of
-/// products are certified in binary64 first. Nothing is rounded but what is returned as doubles.
+/// doi:10.1007/3-540-61576-8_77), or in few dimensions the insertion of points if it ends first; in integers
+/// of 64 bits, of 128, or of any size as they are needed. Signs of products are certified in binary64 first.
+/// Nothing is rounded but what is returned as doubles.
 ///
 /// A Polyhedron does not change, and copies share it; `const` members may be called from several threads
 /// at once. What makes one throws Errc::cancelled, too_many, out_of_memory and time_limit; of the options
-/// only progress, memory_limit and time_limit count. Members with rows throw Errc::bad_dimension for rows of
-/// a wrong width.
+/// threads, progress, memory_limit and time_limit count. Members with rows throw Errc::bad_dimension for rows
+/// of a wrong width.
 class DELONE_EXPORT Polyhedron {
  public:
   /// The empty set of R^0.

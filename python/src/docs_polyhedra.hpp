@@ -75,7 +75,7 @@ the same `hash`; ``==`` compares sets. With lines, "vertices" stand for the mini
 Method: double description, Motzkin, Raiffa, Thompson and Thrall (1953); Fukuda and Prodon (1996), doi:10.1007/3-540-61576-8_77;
 in integers of 64 bits, of 128, or of any size. Cost: for a polytope of m inequalities in R^d with v vertices on d facets each
 O(d m v) at least; it grows with the intermediate polyhedra, which can have more vertices than the result. Limits, progress and
-Ctrl-C end it. One thread converts, whatever `threads` says; `polyhedra_vertices` uses several.
+Ctrl-C end it. The result is the same for every number of `threads`.
 
 Examples
 --------

@@ -6,6 +6,8 @@
 
 #include "kernel/fractions.hpp"
 #include "kernel/int128.hpp"
+#include "polyhedra/common_divisor.hpp"
+#include "polyhedra/exact_quotients.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -19,9 +21,6 @@
 
 namespace delone::polyhedra {
 
-using kernel::Int128;
-using kernel::Integer;
-
 inline int bit_length(const Int128& x) {
   const internal::TwoWords size = kernel::magnitude(x);
   return size.high != 0 ? 64 + std::bit_width(size.high) : std::bit_width(size.low);
@@ -29,33 +28,6 @@ inline int bit_length(const Int128& x) {
 inline int bit_length(const Integer& x) {
   return x == 0 ? 0 : static_cast<int>(boost::multiprecision::msb(boost::multiprecision::abs(x))) + 1;
 }
-
-/// The greatest common divisor of numbers ≥ 0.
-inline Integer common_divisor(const Integer& a, const Integer& b) { return boost::multiprecision::gcd(a, b); }
-#if DELONE_HAS_INT128
-inline Int128 common_divisor(Int128 x, Int128 y) {
-  auto a = static_cast<internal::BuiltInUInt128>(x), b = static_cast<internal::BuiltInUInt128>(y);
-  const auto zeros = [](internal::BuiltInUInt128 z) {
-    const auto low = static_cast<std::uint64_t>(z);
-    return low != 0 ? std::countr_zero(low) : 64 + std::countr_zero(static_cast<std::uint64_t>(z >> 64));
-  };
-  if (a == 0 || b == 0) return static_cast<Int128>(a | b);
-  const int shift = zeros(a | b);
-  a >>= zeros(a);
-  for (;;) {  // a is odd
-    b >>= zeros(b);
-    if ((a | b) >> 64 == 0) {
-      const std::uint64_t rest = std::gcd(static_cast<std::uint64_t>(a), static_cast<std::uint64_t>(b));
-      return static_cast<Int128>(static_cast<internal::BuiltInUInt128>(rest) << shift);
-    }
-    if (a > b) std::swap(a, b);
-    b -= a;
-    if (b == 0) return static_cast<Int128>(a << shift);
-  }
-}
-#else
-inline Int128 common_divisor(const Int128& a, const Int128& b) { return boost::multiprecision::gcd(a, b); }
-#endif
 
 /// Σ a[i]·x[i]. REQUIRES that neither products nor partial sums overflow a Sum.
 template <class Sum, class T>
@@ -76,9 +48,11 @@ int sign_of(const T& x) {
 ///   try_convert(integer, x)          x = integer, if it is small enough for a ray
 ///   sign_of_open(row, ray, d)        the sign of the scalar product, which find_signs() has left open
 ///   try_product(row, ray, d, sum)    sum = the scalar product, if it fits
-///   try_combine(p, n, at_p, at_n, d, out)   out = (at_p·n + at_n·p)/content, where at_p and at_n are
-///                                    positive, and the content is the greatest common divisor of all
-///                                    entries. `out` is unspecified if it says no.
+///   try_combine(p, n, at_p, at_n, divisor, d, out)   out = (at_p·n + at_n·p)/c, where at_p and at_n are
+///                                    positive, for some c > 0 that divides all entries: `divisor` if it
+///                                    does, or their greatest common divisor. A divisor of 0 is not tried.
+///                                    `out` is unspecified if it says no.
+///   make_primitive(x, d)             divides by the greatest common divisor
 template <class T>
 class Arithmetic;
 
@@ -103,21 +77,32 @@ class Arithmetic<std::int64_t> {
     sum = sum_of_products<Int128>(a, x, d);
     return true;
   }
-  bool try_combine(const std::int64_t* p, const std::int64_t* n, Int128 at_p, Int128 at_n, std::size_t d,
-                   std::int64_t* out) {
-    const Int128 common = common_divisor(at_p, at_n);
-    at_p /= common;
-    at_n /= common;
-    if (bit_length(at_p) > 63 || bit_length(at_n) > 63) return false;
+  bool try_combine(const std::int64_t* p, const std::int64_t* n, Int128 at_p, Int128 at_n,
+                   const Int128& divisor, std::size_t d, std::int64_t* out) {
+    const auto try_divisor = [&] {
+      return divisor > 1 && try_exact_quotients(p, n, at_p, at_n, divisor, d, most_bits, out);
+    };
+    if (std::max(bit_length(at_p), bit_length(at_n)) > 63 && try_divisor()) return true;
+    const Int128 common = common_divisor(at_p, at_n), factor_of_n = at_p / common,
+                 factor_of_p = at_n / common;
+    if (bit_length(factor_of_n) > 63 || bit_length(factor_of_p) > 63) return false;
     sums_.resize(d);
     std::uint64_t high = 0, low = 0;
     for (std::size_t i = 0; i < d; ++i) {  // below 2^(63 + 58 + 1)
-      sums_[i] = at_p * n[i] + at_n * p[i];
+      sums_[i] = factor_of_n * n[i] + factor_of_p * p[i];
       const internal::TwoWords size = kernel::magnitude(sums_[i]);
       high |= size.high;
       low |= size.low;
     }
-    return high == 0 && std::bit_width(low) < 64 ? try_divide_small(out) : try_divide(out);
+    if (high == 0 && std::bit_width(low) < 64) return try_divide_small(out);
+    return try_divisor() || try_divide(out);
+  }
+  static void make_primitive(std::int64_t* x, std::size_t d) {
+    std::uint64_t content = 0;
+    for (std::size_t i = 0; i < d && content != 1; ++i)
+      content = std::gcd(content, kernel::magnitude(x[i]).low);
+    if (content > 1)
+      for (std::size_t i = 0; i < d; ++i) x[i] /= static_cast<std::int64_t>(content);
   }
 
  private:
@@ -178,13 +163,22 @@ class Arithmetic<Int128> {
     sum = sum_modulo(a, x, d);
     return true;
   }
-  bool try_combine(const Int128* p, const Int128* n, Int128 at_p, Int128 at_n, std::size_t d, Int128* out) {
+  bool try_combine(const Int128* p, const Int128* n, Int128 at_p, Int128 at_n, const Int128& divisor,
+                   std::size_t d, Int128* out) {
+    if (divisor > 1 && try_exact_quotients(p, n, at_p, at_n, divisor, d, most_bits, out)) return true;
     const Int128 common = common_divisor(at_p, at_n);
     at_p /= common;
     at_n /= common;
     const int bits = std::max(bit_length(at_p) + most_bits_of(n, d), bit_length(at_n) + most_bits_of(p, d));
     return bits < most_bits_of_sum ? try_combine_as(p, n, at_p, at_n, d, out, sums_)
                                    : try_combine_as(p, n, Wide(at_p), Wide(at_n), d, out, wide_sums_);
+  }
+  static void make_primitive(Int128* x, std::size_t d) {
+    Int128 content = 0;
+    for (std::size_t i = 0; i < d && content != 1; ++i)
+      content = common_divisor(content, x[i] < 0 ? Int128(-x[i]) : x[i]);
+    if (content > 1)
+      for (std::size_t i = 0; i < d; ++i) x[i] /= content;
   }
 
  private:
@@ -289,7 +283,8 @@ class Arithmetic<Integer> {
     return true;
   }
   static bool try_combine(const Integer* p, const Integer* n, const Integer& at_p, const Integer& at_n,
-                          std::size_t d, Integer* out) {
+                          const Integer& divisor, std::size_t d, Integer* out) {
+    if (divisor > 1 && try_exact_quotients(p, n, at_p, at_n, divisor, d, out)) return true;
     const Integer common = common_divisor(at_p, at_n), factor_of_n = at_p / common,
                   factor_of_p = at_n / common;
     Integer content = 0;
@@ -301,8 +296,24 @@ class Arithmetic<Integer> {
       for (std::size_t i = 0; i < d; ++i) out[i] /= content;
     return true;
   }
+  static void make_primitive(Integer* x, std::size_t d) {
+    Integer content = 0;
+    for (std::size_t i = 0; i < d && content != 1; ++i) content = common_divisor(content, x[i]);
+    if (content > 1)
+      for (std::size_t i = 0; i < d; ++i) x[i] /= content;
+  }
 
  private:
+  static bool try_exact_quotients(const Integer* p, const Integer* n, const Integer& at_p,
+                                  const Integer& at_n, const Integer& divisor, std::size_t d, Integer* out) {
+    Integer rest;
+    for (std::size_t i = 0; i < d; ++i) {
+      const Integer sum = at_p * n[i] + at_n * p[i];
+      boost::multiprecision::divide_qr(sum, divisor, out[i], rest);
+      if (rest != 0) return false;
+    }
+    return true;
+  }
   static Integer product(const Integer* a, const Integer* x, std::size_t d) {
     Integer sum = 0;
     for (std::size_t i = 0; i < d; ++i)

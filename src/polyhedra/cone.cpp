@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "polyhedra/cone.hpp"
 
+#include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
 #include "polyhedra/double_description.hpp"
 
@@ -131,7 +132,7 @@ RowOrder order_rows(const Rows& rows, std::size_t dimension) {
 
 }  // namespace
 
-ConeRays find_rays(const Rows& input, const Rows& equations, std::size_t dimension) {
+ConeRays find_rays(const Rows& input, const Rows& equations, std::size_t dimension, unsigned threads) {
   const Solutions solutions(equations, dimension);
   const DistinctRows distinct = distinct_rows(input, solutions);
   const RowOrder order = order_rows(distinct.rows, solutions.dimension());
@@ -153,7 +154,7 @@ ConeRays find_rays(const Rows& input, const Rows& equations, std::size_t dimensi
     cone.rows.push_back(std::move(row));
   }
   cone.first_rays = rays_of_simplicial(cone.rows, d);
-  PointedRays found = find_rays_of_pointed(cone);
+  PointedRays found = find_rays_of_pointed(cone, threads);
 
   std::vector<std::vector<std::size_t>> inputs(cone.rows.size());
   std::vector<std::size_t> zero_rows;
@@ -163,17 +164,29 @@ ConeRays find_rays(const Rows& input, const Rows& equations, std::size_t dimensi
     else
       inputs[position[number]].push_back(i);
   result.zeros = BitRows(found.rays.size(), input.size());
-  for (std::size_t ray = 0; ray < found.rays.size(); ++ray) {
-    internal::cancellation_point();
-    Row y(solutions.dimension(), Integer(0));
-    for (std::size_t i = 0; i < d; ++i) y[order.axes[i]] = std::move(found.rays[ray][i]);
-    result.rays.push_back(solutions.lifted(std::move(y)));
+  result.rays.resize(found.rays.size());
+  const auto take = [&](std::size_t ray) {
+    Row y = std::move(found.rays[ray]);
+    if (d < solutions.dimension()) {
+      Row of_axes(solutions.dimension(), Integer(0));
+      for (std::size_t i = 0; i < d; ++i) of_axes[order.axes[i]] = std::move(y[i]);
+      y = std::move(of_axes);
+    }
+    result.rays[ray] = solutions.lifted(std::move(y));
     const Bits zeros = result.zeros[ray];
     for (const std::size_t i : zero_rows) insert(zeros, i);
-    for_each(found.zeros[ray], [&](std::size_t row) {
+    for_each(std::as_const(found.zeros)[ray], [&](std::size_t row) {
       for (const std::size_t i : inputs[row]) insert(zeros, i);
     });
-  }
+  };
+  constexpr std::size_t part = 1024;
+  internal::for_parts(threads, found.rays.size(), part,
+                      [&](std::size_t first, std::size_t last, const internal::StopPoint& stop) {
+                        for (std::size_t ray = first; ray < last; ++ray) {
+                          stop();
+                          take(ray);
+                        }
+                      });
   return result;
 }
 

@@ -24,11 +24,11 @@ namespace delone::polyhedra {
 struct ConeRays {
   Rows rays;   ///< primitive; one of each class modulo the lines, which is extreme there
   Rows lines;  ///< a basis of the lineality space
-  /// For each ray the rows that it lies on.
+  /// For each ray the rows that it lies on, all that are facets at least.
   BitRows zeros;
 };
 
-/// Throws Errc::cancelled, too_many, and at limits.
-ConeRays find_rays(const Rows& rows, const Rows& equations, std::size_t dimension);
+/// Throws Errc::cancelled, too_many, and at limits. `threads`: as Options::threads.
+ConeRays find_rays(const Rows& rows, const Rows& equations, std::size_t dimension, unsigned threads = 1);
 
 }  // namespace delone::polyhedra

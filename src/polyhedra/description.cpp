@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "polyhedra/description.hpp"
 
+#include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
 #include "polyhedra/classify_rows.hpp"
 #include "polyhedra/cone.hpp"
+#include "polyhedra/sorted_rows.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace delone::polyhedra {
@@ -28,47 +29,26 @@ Description empty_description(std::size_t dimension) {
 
 bool is_vertex(const Row& generator) { return generator.back() > 0; }
 
-/// Vertices by their coordinates, before rays by theirs.
-bool precedes(const Row& a, const Row& b) {
-  if (is_vertex(a) != is_vertex(b)) return is_vertex(a);
-  if (a.back() == b.back()) return a < b;
-  for (std::size_t i = 0; i + 1 < a.size(); ++i) {
-    const Integer left = a[i] * b.back(), right = b[i] * a.back();
-    if (left != right) return left < right;
-  }
-  return false;
-}
-
-/// Inequalities a·x ≤ b by (a, b); the rows are (−a, b).
-bool precedes_as_inequality(const Row& a, const Row& b) {
-  for (std::size_t i = 0; i + 1 < a.size(); ++i)
-    if (a[i] != b[i]) return a[i] > b[i];
-  return a.back() < b.back();
-}
-
-template <class Precedes>
-std::vector<std::size_t> sort_rows(Rows& rows, Precedes before) {
-  std::vector<std::size_t> order(rows.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    internal::cancellation_point();
-    return before(rows[a], rows[b]);
-  });
-  Rows sorted;
-  sorted.reserve(rows.size());
-  for (const std::size_t i : order) sorted.push_back(std::move(rows[i]));
-  rows = std::move(sorted);
-  return order;
+void reduce_all(Rows& rows, const Echelon& by, unsigned threads) {
+  constexpr std::size_t part = 1024;
+  internal::for_parts(threads, rows.size(), part,
+                      [&](std::size_t first, std::size_t last, const internal::StopPoint& stop) {
+                        for (std::size_t i = first; i < last; ++i) {
+                          stop();
+                          by.reduce(rows[i]);
+                        }
+                      });
 }
 
 /// Reduces and sorts the rows of a description whose incidences are those of its generators and facets.
-void make_canonical(Description& description, const Echelon& equations, const Echelon& lines) {
+void make_canonical(Description& description, const Echelon& equations, const Echelon& lines,
+                    unsigned threads) {
   description.equations = equations.sorted_rows();
   description.lines = lines.sorted_rows();
-  for (Row& row : description.facets) equations.reduce(row);
-  for (Row& row : description.generators) lines.reduce(row);
-  const std::vector<std::size_t> facet_order = sort_rows(description.facets, precedes_as_inequality);
-  const std::vector<std::size_t> order = sort_rows(description.generators, precedes);
+  reduce_all(description.facets, equations, threads);
+  reduce_all(description.generators, lines, threads);
+  const std::vector<std::size_t> facet_order = sort_inequalities(description.facets, threads);
+  const std::vector<std::size_t> order = sort_generators(description.generators, threads);
   std::vector<std::size_t> place(facet_order.size());
   for (std::size_t i = 0; i < place.size(); ++i) place[facet_order[i]] = i;
   BitRows incidence(order.size(), facet_order.size());
@@ -96,10 +76,10 @@ RowKind row_kind_of(ConeRow kind) {
 }  // namespace
 
 Description from_inequalities(Rows inequalities, const Rows& equations, std::size_t dimension,
-                              std::vector<RowKind>* kinds) {
+                              std::vector<RowKind>* kinds, unsigned threads) {
   const std::size_t m = inequalities.size();
   inequalities.push_back(row_of_infinity(dimension));
-  ConeRays cone = find_rays(inequalities, equations, dimension + 1);
+  ConeRays cone = find_rays(inequalities, equations, dimension + 1, threads);
   Description result;
   result.dimension = dimension;
   if (std::none_of(cone.rays.begin(), cone.rays.end(), is_vertex)) {
@@ -128,12 +108,12 @@ Description from_inequalities(Rows inequalities, const Rows& equations, std::siz
     for_each(std::as_const(cone.zeros)[i], [&](std::size_t row) {
       if (row < m && facet_of_row[row] < m) insert(result.incidence[i], facet_of_row[row]);
     });
-  make_canonical(result, affine_hull, Echelon(dimension + 1, cone.lines));
+  make_canonical(result, affine_hull, Echelon(dimension + 1, cone.lines), threads);
   return result;
 }
 
 Description from_generators(Rows generators, const Rows& lines, std::size_t dimension,
-                            std::vector<RowKind>* kinds) {
+                            std::vector<RowKind>* kinds, unsigned threads) {
   const std::size_t m = generators.size();
   if (generators.empty() && lines.empty()) {
     if (kinds != nullptr) kinds->clear();
@@ -141,7 +121,7 @@ Description from_generators(Rows generators, const Rows& lines, std::size_t dime
   }
   if (std::none_of(generators.begin(), generators.end(), is_vertex))
     generators.push_back(row_of_infinity(dimension));  // as a point it is the origin
-  ConeRays cone = find_rays(generators, lines, dimension + 1);
+  ConeRays cone = find_rays(generators, lines, dimension + 1, threads);
   const ConeRows rows = classify_rows(cone.zeros, cone.zeros.transposed(generators.size()));
   Description result;
   result.dimension = dimension;
@@ -172,7 +152,7 @@ Description from_generators(Rows generators, const Rows& lines, std::size_t dime
     result.facets.push_back(std::move(cone.rays[facets[f]]));
   }
   for (const std::size_t i : kept) result.generators.push_back(std::move(generators[i]));
-  make_canonical(result, Echelon(dimension + 1, cone.lines), lineality);
+  make_canonical(result, Echelon(dimension + 1, cone.lines), lineality, threads);
   return result;
 }
 
@@ -188,7 +168,7 @@ Description from_minimal_rows(Rows facets, const Rows& equations, Rows generator
     for (std::size_t f = 0; f < result.facets.size(); ++f)
       if (scalar_product(result.generators[i], result.facets[f]) == 0) insert(result.incidence[i], f);
   }
-  make_canonical(result, Echelon(dimension + 1, equations), Echelon(dimension + 1, lines));
+  make_canonical(result, Echelon(dimension + 1, equations), Echelon(dimension + 1, lines), 1);
   return result;
 }
 

@@ -37,14 +37,15 @@ struct Description {
   }
 };
 
-/// Rows of d+1 integers, primitive or not. `kinds`, if given, gets those of `inequalities`.
+/// Rows of d+1 integers, primitive or not. `kinds`, if given, gets those of `inequalities`. `threads`: as
+/// Options::threads; the description is the same for each number.
 Description from_inequalities(Rows inequalities, const Rows& equations, std::size_t dimension,
-                              std::vector<RowKind>* kinds = nullptr);
+                              std::vector<RowKind>* kinds = nullptr, unsigned threads = 1);
 /// The convex hull of points plus the cone of directions plus the space of lines. Without points, and with
 /// directions or lines, the origin is one. `kinds`: those of `generators`. REQUIRES x_0 ≥ 0, and x_0 = 0 for
 /// lines.
 Description from_generators(Rows generators, const Rows& lines, std::size_t dimension,
-                            std::vector<RowKind>* kinds = nullptr);
+                            std::vector<RowKind>* kinds = nullptr, unsigned threads = 1);
 /// The description of these rows, which are minimal on both sides: they are reduced and sorted, and
 /// incidences are computed.
 Description from_minimal_rows(Rows facets, const Rows& equations, Rows generators, const Rows& lines,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Step by step from a simplicial cone to that of all rows.
+// Step by step from a simplicial cone to that of all rows, and when something else is tried.
 #pragma once
 
 #include "polyhedra/bit_rows.hpp"
@@ -23,7 +23,12 @@ struct PointedRays {
 enum class Tier { small, medium, large };
 
 /// The rays of a cone of dimension d ≥ 1, in no particular order. Numbers have 64 bits while these are
-/// enough, then 128, then any number: the step in which one is too large is repeated.
-PointedRays find_rays_of_pointed(const PointedCone& cone, Tier first = Tier::small);
+/// enough, then 128, then any number: the step in which one is too large is repeated. `threads`: as
+/// Options::threads; the rays are the same for each number.
+PointedRays find_rays_by_steps(const PointedCone& cone, unsigned threads = 1, Tier first = Tier::small);
+
+/// The same, or by insertion (insertion.hpp), whichever ends first; `zeros` may then miss rows that are no
+/// facets.
+PointedRays find_rays_of_pointed(const PointedCone& cone, unsigned threads);
 
 }  // namespace delone::polyhedra

@@ -2,6 +2,7 @@
 #include "polyhedra/integer_rows.hpp"
 
 #include "base/progress_meter.hpp"
+#include "polyhedra/common_divisor.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -17,7 +18,7 @@ namespace {
 /// is positive, so `row` is multiplied by a positive number.
 void eliminate(Row& row, const Row& other, std::size_t pivot) {
   if (row[pivot] == 0) return;
-  const Integer common = mp::gcd(row[pivot], other[pivot]);
+  const Integer common = common_divisor(row[pivot], other[pivot]);
   const Integer scale = other[pivot] / common, factor = row[pivot] / common;
   for (std::size_t c = 0; c < row.size(); ++c) {
     if (scale != 1) row[c] *= scale;
@@ -42,7 +43,7 @@ void make_primitive(Row& row) {
   Integer common = 0;
   for (const Integer& x : row) {
     if (x == 0) continue;
-    common = mp::gcd(common, x);
+    common = common_divisor(common, x);
     if (common == 1) return;
   }
   if (common == 0) return;

@@ -144,8 +144,9 @@ Polyhedron Polyhedron::from_inequalities(const RationalRows& inequalities, const
   require_width(equations, d + 1, "equations");
   return polyhedra::within_limits(options, [&] {
     std::vector<RowKind> kinds;
-    Description description = polyhedra::from_inequalities(homogeneous_inequalities(inequalities),
-                                                           homogeneous_inequalities(equations), d, &kinds);
+    Description description =
+        polyhedra::from_inequalities(homogeneous_inequalities(inequalities),
+                                     homogeneous_inequalities(equations), d, &kinds, options.threads);
     return of(std::move(description), std::move(kinds));
   });
 }
@@ -162,7 +163,8 @@ Polyhedron Polyhedron::from_generators(const RationalRows& vertices, const Ratio
     append_points(vertices, generators);
     append_directions(rays, generators);
     append_directions(lines, directions);
-    Description description = polyhedra::from_generators(std::move(generators), directions, d, &kinds);
+    Description description =
+        polyhedra::from_generators(std::move(generators), directions, d, &kinds, options.threads);
     return of(std::move(description), std::move(kinds));
   });
 }

@@ -172,7 +172,7 @@ Polyhedron Polyhedron::intersection(const Polyhedron& other, const Options& opti
   require_same_dimension(a, b);
   return within_limits(options, [&] {
     return of(polyhedra::from_inequalities(joined(a.facets, b.facets), joined(a.equations, b.equations),
-                                           a.dimension));
+                                           a.dimension, nullptr, options.threads));
   });
 }
 
@@ -183,7 +183,7 @@ Polyhedron Polyhedron::convex_union(const Polyhedron& other, const Options& opti
   if (b.is_empty()) return *this;
   return within_limits(options, [&] {
     return of(polyhedra::from_generators(joined(a.generators, b.generators), joined(a.lines, b.lines),
-                                         a.dimension));
+                                         a.dimension, nullptr, options.threads));
   });
 }
 
@@ -203,7 +203,8 @@ Polyhedron Polyhedron::minkowski_sum(const Polyhedron& other, const Options& opt
       generators.insert(generators.end(),
                         part->generators.begin() + static_cast<std::ptrdiff_t>(part->num_vertices),
                         part->generators.end());
-    return of(polyhedra::from_generators(std::move(generators), joined(a.lines, b.lines), a.dimension));
+    return of(polyhedra::from_generators(std::move(generators), joined(a.lines, b.lines), a.dimension,
+                                         nullptr, options.threads));
   });
 }
 
@@ -239,7 +240,8 @@ Polyhedron Polyhedron::polar(const Options& options) const {
     Rows inequalities = own.generators;
     for (Row& row : inequalities)
       for (std::size_t c = 0; c < own.dimension; ++c) row[c] = -row[c];
-    return of(polyhedra::from_inequalities(std::move(inequalities), own.lines, own.dimension));
+    return of(polyhedra::from_inequalities(std::move(inequalities), own.lines, own.dimension, nullptr,
+                                           options.threads));
   });
 }
 
@@ -267,7 +269,8 @@ Polyhedron Polyhedron::image(const RationalRows& matrix, std::span<const Rationa
     Rows generators, lines;
     for (const Row& row : own.generators) generators.push_back(map.image(row));
     for (const Row& row : own.lines) lines.push_back(map.image(row));
-    return of(polyhedra::from_generators(std::move(generators), lines, matrix.size()));
+    return of(
+        polyhedra::from_generators(std::move(generators), lines, matrix.size(), nullptr, options.threads));
   });
 }
 
@@ -282,7 +285,7 @@ Polyhedron Polyhedron::preimage(const RationalRows& matrix, int dimension,
     Rows inequalities, equations;
     for (const Row& row : own.facets) inequalities.push_back(map.pulled_back(row, e));
     for (const Row& row : own.equations) equations.push_back(map.pulled_back(row, e));
-    return of(polyhedra::from_inequalities(std::move(inequalities), equations, e));
+    return of(polyhedra::from_inequalities(std::move(inequalities), equations, e, nullptr, options.threads));
   });
 }
 

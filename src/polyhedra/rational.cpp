@@ -4,6 +4,7 @@
 #include "base/require_finite.hpp"
 #include "kernel/grid.hpp"
 #include "polyhedra/arithmetic.hpp"
+#include "polyhedra/common_divisor.hpp"
 #include "polyhedra/fraction.hpp"
 
 #include <delone/arithmetic.hpp>
@@ -103,7 +104,7 @@ Rational Fraction::to_rational(Integer numerator, Integer denominator) {
       numerator = -numerator;
       denominator = -denominator;
     }
-    const Integer common = mp::gcd(numerator, denominator);
+    const Integer common = common_divisor(numerator, denominator);
     if (common != 1) {
       numerator /= common;
       denominator /= common;

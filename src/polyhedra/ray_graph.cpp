@@ -36,6 +36,15 @@ void RayGraph::insert(RayId ray, ConstBits zeros, std::uint32_t first_negative) 
   if (first_negative != none) removed_by_[first_negative].push_back(ray);
 }
 
+std::size_t RayGraph::num_simple_rays() const {
+  return static_cast<std::size_t>(std::count_if(rays_.begin(), rays_.end(), [&](RayId ray) {
+    std::size_t rows = 0;
+    for (std::size_t w = 0; w < used_.size(); ++w)
+      rows += static_cast<std::size_t>(std::popcount(zeros_[ray][w] & used_[w]));
+    return rows + 1 == dimension_;
+  }));
+}
+
 void RayGraph::add(ConstBits zeros, std::uint32_t first_negative) { insert(new_id(), zeros, first_negative); }
 
 void RayGraph::connect_all() {
@@ -92,7 +101,7 @@ std::size_t RayGraph::rank_of(const std::vector<std::size_t>& rows) const {
 }
 
 /// A section that gets no new ray has to be looked at, too: two of its rays may have become adjacent.
-void RayGraph::connect(std::size_t row) {
+void RayGraph::connect(std::size_t row, unsigned threads) {
   if (section_.size() < 2 || row + 1 == num_rows()) return;
   std::sort(section_.begin(), section_.end(), [&](RayId a, RayId b) {
     return first_negative_[a] != first_negative_[b] ? first_negative_[a] < first_negative_[b] : a < b;
@@ -101,14 +110,15 @@ void RayGraph::connect(std::size_t row) {
   collect_section(row);
   constexpr std::size_t many = 400;
   if (section_.size() > many)
-    for (const Adjacency::Pair& pair : adjacency_.join_simple_rays())
+    for (const Adjacency::Pair& pair : adjacency_.join_simple_rays(threads))
       add_edge(section_[pair.first], section_[pair.second]);
   adjacency_.compare(
       [&](std::uint32_t i) { return first_negative_[section_[i]]; },
       [&](std::uint32_t i, std::uint32_t j) { return !is_zero(section_[j], first_negative_[section_[i]]); },
       [&](std::uint32_t i, std::uint32_t j) {
         edges_[first_negative_[section_[i]]].push_back({section_[j], section_[i]});
-      });
+      },
+      threads);
 }
 
 /// Gives adjacency_ the rays of the section with the used rows that they lie on, as the words in which they

@@ -50,6 +50,9 @@ class RayGraph {
   /// The rows that a ray lies on: all of them if no later row removes it, otherwise those before that row.
   ConstBits zeros(RayId ray) const { return zeros_[ray]; }
 
+  /// How many rays lie on one row less than there are dimensions, of those that have cut something.
+  std::size_t num_simple_rays() const;
+
   /// Adds a ray of the simplicial cone. When all are there, connect_all() makes their edges.
   void add(ConstBits zeros, std::uint32_t first_negative);
   void connect_all();
@@ -60,8 +63,9 @@ class RayGraph {
   const std::vector<CutEdge>& edges_cut_by(std::size_t row);
   /// Removes the rays beyond the row, and adds those that were made; their numbers are appended to `ids`.
   void commit(std::size_t row, const NewRays& made, std::vector<RayId>& ids);
-  /// Finds the edges between the rays that lie on the row that was committed last.
-  void connect(std::size_t row);
+  /// Finds the edges between the rays that lie on the row that was committed last, in up to `threads` threads
+  /// (Options::threads).
+  void connect(std::size_t row, unsigned threads);
 
  private:
   bool is_zero(RayId ray, std::size_t row) const { return test(zeros_[ray], row); }

@@ -29,7 +29,8 @@ Pairs pairs_by_definition(const BitRows& zeros) {
   return pairs;
 }
 
-Pairs found_pairs(const BitRows& zeros, std::size_t width, std::size_t dimension, bool joins) {
+Pairs found_pairs(const BitRows& zeros, std::size_t width, std::size_t dimension, bool joins,
+                  unsigned threads = 1) {
   Adjacency adjacency;
   adjacency.reset(zeros.size(), width, dimension);
   for (std::size_t i = 0; i < zeros.size(); ++i)
@@ -39,9 +40,9 @@ Pairs found_pairs(const BitRows& zeros, std::size_t width, std::size_t dimension
     EXPECT_TRUE(pairs.emplace(std::min(i, j), std::max(i, j)).second);
   };
   if (joins)
-    for (const auto& [i, j] : adjacency.join_simple_rays()) add(i, j);
-  adjacency.compare([](std::uint32_t i) { return i; }, [](std::uint32_t, std::uint32_t) { return true; },
-                    add);
+    for (const auto& [i, j] : adjacency.join_simple_rays(threads)) add(i, j);
+  adjacency.compare([](std::uint32_t i) { return i; }, [](std::uint32_t, std::uint32_t) { return true; }, add,
+                    threads);
   return pairs;
 }
 
@@ -102,6 +103,21 @@ TEST(Adjacency, OfRandomCones) {
     const Pairs expected = pairs_by_definition(cone.zeros);
     EXPECT_EQ(found_pairs(cone.zeros, rows.size(), d, true), expected);
   }
+}
+
+/// As many rays as several threads share: of the cone over a cube.
+TEST(Adjacency, TheSameForEveryNumberOfThreads) {
+  constexpr std::size_t d = 13;
+  BitRows zeros(std::size_t{1} << d, 2 * d);
+  for (std::size_t ray = 0; ray < zeros.size(); ++ray)
+    for (std::size_t axis = 0; axis < d; ++axis) insert(zeros[ray], 2 * axis + (ray >> axis & 1));
+  Pairs expected;
+  for (std::size_t ray = 0; ray < zeros.size(); ++ray)
+    for (std::size_t axis = 0; axis < d; ++axis)
+      if ((ray >> axis & 1) == 0) expected.emplace(ray, ray | std::size_t{1} << axis);
+  for (const unsigned threads : {1u, 3u})
+    for (const bool joins : {false, true})
+      EXPECT_EQ(found_pairs(zeros, 2 * d, d + 1, joins, threads), expected) << threads << joins;
 }
 
 }  // namespace

@@ -74,11 +74,11 @@ TYPED_TEST(ArithmeticTest, CombinesAsIntegersOfAnySizeDo) {
     ASSERT_EQ(Integer(of_p), at_p);
     ASSERT_EQ(Integer(of_n), at_n);
     std::vector<Integer> expected(d);
-    Arithmetic<Integer>().try_combine(p.data(), n.data(), at_p, Integer(-at_n), d, expected.data());
+    Arithmetic<Integer>().try_combine(p.data(), n.data(), at_p, Integer(-at_n), 0, d, expected.data());
     std::vector<TypeParam> out(d);
     bool fits = true;
     for (const Integer& entry : expected) fits = fits && bit_length(entry) <= Numbers::most_bits;
-    if (!numbers.try_combine(x.data(), y.data(), of_p, typename Numbers::Product(-of_n), d, out.data())) {
+    if (!numbers.try_combine(x.data(), y.data(), of_p, typename Numbers::Product(-of_n), 0, d, out.data())) {
       ++refused;
       if (std::is_same_v<TypeParam, Int128>) {  // the other refuses large factors, too
         EXPECT_FALSE(fits);
@@ -92,6 +92,46 @@ TYPED_TEST(ArithmeticTest, CombinesAsIntegersOfAnySizeDo) {
   EXPECT_GT(combined, 1000);
   EXPECT_GT(refused, 1000);
   EXPECT_GT(products, 5000);
+}
+
+/// Whatever divisor is proposed, the result is a multiple of the primitive vector, and that itself when made
+/// primitive.
+TYPED_TEST(ArithmeticTest, DivisorsThatAreRightOrWrong) {
+  using Numbers = Arithmetic<TypeParam>;
+  random::Generator generator(5);
+  int multiples = 0;
+  for (int round = 0; round < 20000; ++round) {
+    const std::size_t d = 2 + generator.below(5);
+    const int bits = 1 + static_cast<int>(generator.below(Numbers::most_bits / 2));
+    Row p, n;
+    for (std::size_t i = 0; i < d; ++i)
+      for (Row* row : {&p, &n}) row->push_back(random_integer(generator, (Integer(1) << bits) - 1));
+    const Integer content = 1 + generator.below(12), other = 1 + generator.below(12);
+    for (Integer& x : p) x *= content;
+    for (Integer& x : n) x *= other;
+    const Integer at_p = content * (1 + abs(random_integer(generator, Integer(1) << bits))),
+                  at_n = other * (1 + abs(random_integer(generator, Integer(1) << bits))),
+                  divisor = (content * other) / (1 + generator.below(3));
+    std::vector<Integer> expected(d), large(d);
+    for (std::size_t i = 0; i < d; ++i) large[i] = at_p * n[i] + at_n * p[i];
+    if (is_zero(large)) continue;  // not of two rays
+    Arithmetic<Integer>::try_combine(p.data(), n.data(), at_p, at_n, 0, d, expected.data());
+    const std::vector<TypeParam> x = converted<TypeParam>(p), y = converted<TypeParam>(n);
+    std::vector<TypeParam> out(d);
+    using Product = typename Numbers::Product;
+    Numbers numbers;
+    numbers.set_rows(bits, d);
+    if (!numbers.try_combine(x.data(), y.data(), static_cast<Product>(at_p), static_cast<Product>(at_n),
+                             static_cast<Product>(divisor), d, out.data()))
+      continue;
+    Arithmetic<Integer>::try_combine(p.data(), n.data(), at_p, at_n, divisor, d, large.data());
+    multiples += large != expected;
+    Numbers::make_primitive(out.data(), d);
+    Arithmetic<Integer>::make_primitive(large.data(), d);
+    ASSERT_EQ(large, expected);
+    for (std::size_t i = 0; i < d; ++i) ASSERT_EQ(Integer(out[i]), expected[i]);
+  }
+  EXPECT_GT(multiples, 1000);
 }
 
 /// Products that are small or zero although all entries are large.
@@ -110,17 +150,6 @@ TYPED_TEST(ArithmeticTest, SignsOfWhatIsOpen) {
     numbers.set_rows(bits_of_row, 4);
     const std::vector<TypeParam> a = converted<TypeParam>(row), b = converted<TypeParam>(ray);
     EXPECT_EQ(numbers.sign_of_open(a.data(), b.data(), 4), step);
-  }
-}
-
-TEST(Arithmetic, CommonDivisors) {
-  random::Generator generator(4);
-  for (int round = 0; round < 2000; ++round) {
-    const Integer common = abs(random_integer(generator, Integer(1) << generator.below(60)));
-    const Integer a = common * abs(random_integer(generator, Integer(1) << generator.below(60))),
-                  b = common * abs(random_integer(generator, Integer(1) << generator.below(60)));
-    EXPECT_EQ(Integer(common_divisor(static_cast<Int128>(a), static_cast<Int128>(b))),
-              Integer(boost::multiprecision::gcd(a, b)));
   }
 }
 

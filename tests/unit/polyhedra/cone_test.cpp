@@ -91,13 +91,33 @@ TEST(Cone, AllKindsOfIntegersFindTheSame) {
     }
     std::set<Row> rays[3];
     for (const Tier tier : {Tier::small, Tier::medium, Tier::large}) {
-      const PointedRays found = find_rays_of_pointed(cone, tier);
+      const PointedRays found = find_rays_by_steps(cone, 1, tier);
       rays[static_cast<int>(tier)] = {found.rays.begin(), found.rays.end()};
       EXPECT_EQ(rays[static_cast<int>(tier)].size(), 272u)
           << step;  // facets of a cyclic polytope, 2·(17 choose 2)
     }
     EXPECT_EQ(rays[0], rays[1]);
     EXPECT_EQ(rays[0], rays[2]);
+  }
+}
+
+TEST(Cone, TheSameForEveryNumberOfThreads) {
+  random::Generator generator(9);
+  for (const int largest : {1, 1000, 1000000000}) {
+    Rows rows;
+    const std::size_t d = largest == 1 ? 10 : 7;
+    while (rows.size() < 60) {
+      Row row{1};
+      while (row.size() < d) row.push_back(random_integer(generator, largest));
+      rows.push_back(row);
+    }
+    const ConeRays one = find_rays(rows, {}, d, 1), three = find_rays(rows, {}, d, 3);
+    EXPECT_GT(one.rays.size(), 1000u);
+    EXPECT_EQ(one.rays, three.rays);
+    ASSERT_EQ(one.zeros.size(), three.zeros.size());
+    for (std::size_t ray = 0; ray < one.zeros.size(); ++ray)
+      for (std::size_t row = 0; row < rows.size(); ++row)
+        ASSERT_EQ(test(one.zeros[ray], row), test(three.zeros[ray], row));
   }
 }
 
