@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone check: every level of exact checks of what a file holds, from any program.
 #include "build_options.hpp"
+#include "check_descriptions.hpp"
 #include "command.hpp"
 #include "output.hpp"
 #include "tiles_folder.hpp"
@@ -19,7 +20,7 @@ namespace delone::cli {
 namespace {
 
 struct CheckCommandOptions {
-  std::string path, format;
+  std::string path, format, same_as;
   PointInput points;
   int level = CheckOptions::all;
   bool canonical = false;
@@ -243,7 +244,7 @@ Run add_check(CLI::App& app) {
   app.add_option(
          "COMPLEX", options->path,
          "A triangulation: .npz, .json or .off, or a folder of tiles; or a hull, an intersection, a Voronoi "
-         "or power diagram: .npz or .json")
+         "or power diagram: .npz or .json; or, with --same-as, a description of a polyhedron: .ine or .ext")
       ->required()
       ->type_name("");
   app.add_option("--format", options->format, "Format of COMPLEX, if not told by its extension")
@@ -259,6 +260,11 @@ Run add_check(CLI::App& app) {
   app.add_option("--points", options->points.path,
                  "Take the points from this file instead; with a folder of tiles, compare with them")
       ->type_name("FILE");
+  app.add_option(
+         "--same-as", options->same_as,
+         "Prove that this file describes the same polyhedron: inequalities or generators in the form of "
+         "cddlib and lrs, as COMPLEX")
+      ->type_name("FILE");
   add_skip_missing(app, options->points.options.skip_missing);
   add_max_stream(app, options->points.options.max_stream_bytes);
   add_threads(app, options->threads);
@@ -271,7 +277,10 @@ Run add_check(CLI::App& app) {
              levels_text(DataKind::halfspace_intersection, "Levels of intersections of halfspaces") +
              "Exit status: 0 no violation, 1 a violation, which is printed.");
   return [options] {
-    protect_files({options->path, options->points.path}, {{"the report", "-"}});
+    protect_files({options->path, options->points.path, options->same_as}, {{"the report", "-"}});
+    if (!options->same_as.empty())
+      return run_check_descriptions(options->path, options->same_as, options->points.options.max_stream_bytes,
+                                    options->threads);
     if (is_folder(options->path)) return run_check_tiles(*options);
     AnyData data = about(input_name(options->path), [&] {
       return read(options->path, options->format, options->points.options.max_stream_bytes);

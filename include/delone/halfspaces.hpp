@@ -91,7 +91,7 @@ class DELONE_EXPORT HalfspaceIntersectionBase {
 /// for all rows, w near |n|), solved by the dual simplex method in integers with Bland's rule against
 /// cycling; rounding decides nothing. If no double is strictly inside, as between two neighboring doubles,
 /// the exact solution is used and reported rounded. An intersection without interior points is a result, see
-/// state() and witness().
+/// state() and witness(); to_polyhedron() (polyhedron.hpp) has the vertices and rays of a flat one.
 ///
 /// Cost: that of the convex hull of m+1 points, one solve per vertex, a walk per redundant row.
 template <int D = dynamic>

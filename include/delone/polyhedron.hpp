@@ -3,6 +3,7 @@
 #pragma once
 
 #include <delone/complex.hpp>
+#include <delone/data.hpp>
 #include <delone/error.hpp>
 #include <delone/export.hpp>
 #include <delone/options.hpp>
@@ -171,5 +172,13 @@ class DELONE_EXPORT Polyhedron {
 
   std::shared_ptr<const Impl> impl_;
 };
+
+/// The polyhedron of the halfspaces of an intersection, of whatever state: flat ones have vertices, rays,
+/// lines and equations there. Throws Errc::invalid_argument if the data are without halfspaces, otherwise as
+/// Polyhedron::from_inequalities().
+DELONE_EXPORT Polyhedron to_polyhedron(const IntersectionData& intersection, const Options& options = {});
+/// The polyhedron of the extreme points of a hull. With a tolerance, these are the vertices of its cells.
+/// Throws Errc::invalid_argument if the data are without points, otherwise as Polyhedron::from_generators().
+DELONE_EXPORT Polyhedron to_polyhedron(const HullData& hull, const Options& options = {});
 
 }  // namespace delone

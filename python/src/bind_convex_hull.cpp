@@ -3,7 +3,9 @@
 #include "arrays.hpp"
 #include "data_members.hpp"
 #include "docs_convex_hull.hpp"
+#include "docs_polyhedra.hpp"
 #include "docstring.hpp"
+#include "held_polyhedron.hpp"
 #include "html.hpp"
 #include "module.hpp"
 #include "pickling.hpp"
@@ -428,6 +430,7 @@ void bind_convex_hull(py::module_& module) {
   define_save(type, [](const HeldHull& held, const SaveArguments& to) {
     held.ask([&](const ConvexHullBase& p) { to.save(p, [&] { return p.to_data(); }); });
   });
+  define_to_polyhedron(type, text(docs::polyhedra::of_hull));
   define_to_html(type,
                  [](const HeldHull& h, const HtmlOptions& options) { return html_of(h.data(), options); });
 }

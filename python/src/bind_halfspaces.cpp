@@ -3,7 +3,9 @@
 #include "arrays.hpp"
 #include "data_members.hpp"
 #include "docs_halfspaces.hpp"
+#include "docs_polyhedra.hpp"
 #include "docstring.hpp"
+#include "held_polyhedron.hpp"
 #include "html.hpp"
 #include "module.hpp"
 #include "pickling.hpp"
@@ -306,6 +308,7 @@ void bind_halfspaces(py::module_& module) {
   define_save(type, [](const HeldIntersection& held, const SaveArguments& to) {
     held.ask([&](const HalfspaceIntersectionBase& p) { to.save(p, [&] { return p.to_data(); }); });
   });
+  define_to_polyhedron(type, text(docs::polyhedra::of_intersection));
   define_to_html(
       type, [](const HeldIntersection& h, const HtmlOptions& options) { return html_of(h.data(), options); });
 }

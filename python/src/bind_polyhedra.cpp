@@ -344,6 +344,13 @@ void bind_polyhedra(py::module_& module) {
   bind_faces_of_polyhedra(type);
   type.def("contains", &contains_points, "points"_a, text(docs::polyhedra::contains))
       .def(
+          "__contains__",
+          [](const HeldPolyhedron& held, const py::object& point) {
+            const std::vector<Rational> x = as_exact_vector(point, "point", held.dimension());
+            return held.ask([&](const Polyhedron& p) { return p.contains(x); });
+          },
+          "point"_a)
+      .def(
           "includes",
           [](const HeldPolyhedron& held, const HeldPolyhedron& other) {
             return held.ask([&](const Polyhedron& p) { return p.includes(other.polyhedron()); });

@@ -131,6 +131,36 @@ auto with_another() {
   };
 }
 
+/// Axes as numbers, or as flags of all of them. Bool is a kind of int, so that a list may be both.
+std::vector<int> as_axes(const py::object& given, int dimension) {
+  const bool is_array = py::isinstance<py::array>(given);
+  const auto is_flag = [&](const py::handle& x) {
+    return is_array ? given.attr("dtype").attr("kind").cast<std::string>() == "b"
+                    : py::isinstance<py::bool_>(x);
+  };
+  std::vector<int> axes;
+  std::size_t flags = 0, size = 0;
+  for (const py::handle x : given) {
+    if (is_flag(x)) {
+      if (x.cast<bool>()) axes.push_back(static_cast<int>(size));
+      ++flags;
+    } else {
+      try {
+        axes.push_back(x.cast<int>());
+      } catch (const py::cast_error&) {
+        throw py::type_error("axes: integers, or a flag for each coordinate, not " + shown(x));
+      }
+    }
+    ++size;
+  }
+  if (flags == 0) return axes;
+  if (flags != size) throw py::type_error("axes: integers or flags, not both");
+  if (size != static_cast<std::size_t>(dimension))
+    throw Error(Errc::invalid_argument, "axes: " + std::to_string(dimension) +
+                                            " flags, one for each coordinate, not " + std::to_string(size));
+  return axes;
+}
+
 std::vector<Rational> as_translation(const py::object& translation, std::size_t size) {
   return translation.is_none() ? std::vector<Rational>() : as_exact_vector(translation, "translation", size);
 }
@@ -215,10 +245,12 @@ void bind_polyhedron_operations(PolyhedronClass& type) {
       "other"_a, text(docs::polyhedra::product));
   define_operation<>(type, "polar", text(docs::polyhedra::polar),
                      [](const P& p) { return [&p](const Options& options) { return p.polar(options); }; });
-  define_operation<std::vector<int>>(
+  define_operation<py::object>(
       type, "projection", text(docs::polyhedra::projection),
-      [](const P& p, const std::vector<int>& axes) {
-        return [&p, axes](const Options& options) { return p.projection(axes, options); };
+      [](const P& p, const py::object& given) {
+        return [&p, axes = as_axes(given, p.dimension())](const Options& options) {
+          return p.projection(axes, options);
+        };
       },
       "axes"_a);
   define_operation<py::object, py::object>(type, "image", text(docs::polyhedra::image), &image_of, "matrix"_a,

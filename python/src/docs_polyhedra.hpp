@@ -420,13 +420,43 @@ Raises
 ------
 )" DELONE_DOC_OF_CALL_ERRORS;
 
+inline constexpr const char* of_intersection = R"(
+Return the intersection as a `Polyhedron`: flat ones, too, have vertices, rays, lines and equations there, as exact numbers.
+
+Parameters
+----------
+)" DELONE_DOC_OF_CALL_ARGUMENTS R"(
+Returns
+-------
+Polyhedron
+    The set of all halfspaces; its `row_kinds` refer to their rows.
+
+Raises
+------
+)" DELONE_DOC_OF_CALL_ERRORS;
+
+inline constexpr const char* of_hull = R"(
+Return the hull as a `Polyhedron`, with its inequalities and equations as exact numbers.
+
+Parameters
+----------
+)" DELONE_DOC_OF_CALL_ARGUMENTS R"(
+Returns
+-------
+Polyhedron
+    The convex hull of the extreme points; with a tolerance, of the vertices of the cells.
+
+Raises
+------
+)" DELONE_DOC_OF_CALL_ERRORS;
+
 inline constexpr const char* projection = R"(
 Return the projection onto some of the coordinates.
 
 Parameters
 ----------
-axes : sequence of int
-    The coordinates to keep, in this order; each at most once.
+axes : sequence of int or of bool
+    The coordinates to keep, in this order; each at most once. Or d flags: whether to keep each.
 )" DELONE_DOC_OF_CALL_ARGUMENTS R"(
 Returns
 -------
@@ -436,7 +466,7 @@ Polyhedron
 Raises
 ------
 InputError
-    If an axis does not exist or comes twice.
+    If an axis does not exist or comes twice, or there are not d flags.
 )" DELONE_DOC_OF_CALL_ERRORS;
 
 inline constexpr const char* image = R"(

@@ -88,6 +88,23 @@ class HeldPolyhedron {
 
 using PolyhedronClass = py::class_<HeldPolyhedron>;
 
+/// Defines the method to_polyhedron() of a class that holds an intersection or a hull.
+template <class Class>
+void define_to_polyhedron(Class& type, const char* doc) {
+  using namespace py::literals;
+  type.def(
+      "to_polyhedron",
+      [](const typename Class::type& held, int threads, const py::object& progress,
+         const py::object& memory_limit, const py::object& time_limit) {
+        const auto data = held.data();
+        return std::make_unique<HeldPolyhedron>(
+            CallArguments{threads, progress, memory_limit, time_limit}.run(
+                [&](const Options& options) { return to_polyhedron(*data, options); }));
+      },
+      py::kw_only(), "threads"_a = 0, "progress"_a = py::none(), "memory_limit"_a = py::none(),
+      "time_limit"_a = py::none(), doc);
+}
+
 /// The constructors, and the methods that make other polyhedra.
 void bind_polyhedron_operations(PolyhedronClass& type);
 

@@ -169,6 +169,28 @@ Polyhedron Polyhedron::from_generators(const RationalRows& vertices, const Ratio
   });
 }
 
+Polyhedron to_polyhedron(const IntersectionData& intersection, const Options& options) {
+  const std::size_t width = checked(intersection.dimension) + 1;
+  if (intersection.halfspaces.size() != width * intersection.num_halfspaces())
+    throw Error(Errc::invalid_argument, "the data of the intersection are without halfspaces");
+  std::vector<double> rows = intersection.halfspaces;  // n·x ≤ −c
+  for (std::size_t i = width - 1; i < rows.size(); i += width) rows[i] = -rows[i];
+  return Polyhedron::from_inequalities(RationalRows(rows, width), {}, intersection.dimension, options);
+}
+
+Polyhedron to_polyhedron(const HullData& hull, const Options& options) {
+  const std::size_t d = checked(hull.dimension);
+  if (hull.points.size() != d * hull.num_points())
+    throw Error(Errc::invalid_argument, "the data of the hull are without points");
+  std::vector<double> points;
+  points.reserve(hull.vertices.size() * d);
+  for (const SignedIndex row : hull.vertices) {
+    const double* const point = hull.points.data() + static_cast<std::size_t>(row) * d;
+    points.insert(points.end(), point, point + d);
+  }
+  return Polyhedron::from_generators(RationalRows(points, d), {}, {}, hull.dimension, options);
+}
+
 Polyhedron Polyhedron::empty(int dimension) {
   return internal::guarded("the polyhedron",
                            [&] { return of(polyhedra::from_generators({}, {}, checked(dimension))); });

@@ -45,6 +45,23 @@ class Polyhedra(Case):
         self.assertEqual(self.output("polyhedron", "-", "-o", "-", "--output-format", "ine", stdin=TRIANGLE), FACETS)
         self.assertEqual(self.output("polyhedron", "-", "-o", "-", "--output-format", "ext", stdin=TRIANGLE), VERTICES)
 
+    def test_descriptions_of_one_polyhedron(self):
+        triangle, vertices = self.file("in.ine", TRIANGLE), self.file("in.ext", VERTICES)
+        said = self.output("check", triangle, "--same-as", vertices)
+        self.assertIn("in.ine: 4 inequalities, 0 equations in dimension 2", said)
+        self.assertIn("in.ext: 3 points, 0 rays, 0 lines in dimension 2", said)
+        self.assertIn("proved: both are the polyhedron with the hash", said)
+        larger = self.file("larger.ext", VERTICES.replace("1/2", "2/3"))
+        self.assertRegex(self.output("check", triangle, "--same-as", larger, status=1), r"larger.ext has the vertex \(2/3, 0\), which is not in .*in.ine")
+        self.assertRegex(self.output("check", larger, "--same-as", triangle, status=1), r"larger.ext has the vertex \(2/3, 0\), which is not in .*in.ine")
+        cone = self.file("cone.ext", "V-representation\nbegin\n4 3 rational\n1 0 0\n1 0 1/3\n1 1/2 0\n0 1 0\nend\n")
+        self.assertIn("cone.ext has a ray or a line that", self.output("check", vertices, "--same-as", cone, status=1))
+        line = self.file("line.ine", "begin\n1 2 integer\n1 1\nend\n")
+        self.assertIn("line.ine is in dimension 1", self.complaint("check", line, "--same-as", triangle, status=64))
+
+    def test_threads(self):
+        self.assertEqual(self.output("polyhedron", self.file("in.ine", TRIANGLE), "-o", "-", "--output-format", "ext", "--threads", "2"), VERTICES)
+
     def test_errors(self):
         broken = self.file("in.ine", "begin\n2 2 integer\n1 2\n1 x\nend\n")
         self.assertIn("in.ine:4: \"x\" is not a rational number", self.complaint("polyhedron", broken))

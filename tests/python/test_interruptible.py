@@ -177,7 +177,9 @@ LONG = {
     "delone._core.PeriodicTriangulation.cells": ("t = delone.PeriodicDelaunay(random.random((300_000, 3)), 1.0)", "t.cells",
                                                  "cell_offsets neighbors neighbor_offsets is_simplicial save to_data"),
     "delone._core.PeriodicTriangulation.hash": ("t = delone.PeriodicDelaunay(random.random((300_000, 3)), 1.0)", "t.hash"),
-    "delone.Polyhedron.__init__": ("", "delone.Polyhedron(sphere(60, 9), np.ones(60))",
+    "delone.HalfspaceIntersection.to_polyhedron": ("made = delone.HalfspaceIntersection(np.c_[sphere(90, 9), -np.ones(90)])", "made.to_polyhedron()"),
+    "delone.ConvexHull.to_polyhedron": ("made = delone.ConvexHull(sphere(90, 9))", "made.to_polyhedron()"),
+    "delone.Polyhedron.__init__": ("", "delone.Polyhedron(sphere(90, 9), np.ones(90))",
                                    "from_generators convex_union image intersection minkowski_sum polar preimage projection"),
     "delone.Polyhedron.vertices": ("p = cube(17)", "p.vertices", "__getstate__ equation_integers equations inequalities inequality_integers line_integers "
                                    "lines ray_integers rays vertex_integers"),

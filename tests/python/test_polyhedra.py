@@ -395,3 +395,35 @@ def test_many_of_one_matrix():
     with pytest.raises(IndexError, match="polyhedron 3 of 3"):
         boxes[3]
     assert len(delone.polyhedra_vertices(np.zeros((0, 3, 2)), np.zeros((0, 3)))) == 0
+
+
+def test_projections_by_flags():
+    p = Polyhedron(np.r_[np.eye(3, dtype=int), -np.eye(3, dtype=int)], [1, 2, 3, 4, 5, 6])
+    for flags in ([True, False, True], (True, False, True), np.array([True, False, True])):
+        assert p.projection(flags) == p.projection([0, 2])
+    assert p.projection([False] * 3).dimension == 0
+    assert p.projection([1]).vertices.tolist() == [[-5.0], [2.0]]
+
+
+def test_of_intersections_and_hulls():
+    box = np.r_[np.c_[np.eye(3), [-1, -1, 0]], np.c_[-np.eye(3), [-1, -1, 0]]]
+    flat = delone.HalfspaceIntersection(box)
+    assert flat.state == "flat"
+    assert flat.to_polyhedron().vertices.tolist() == [[-1, -1, 0], [-1, 1, 0], [1, -1, 0], [1, 1, 0]]
+    open_box = delone.HalfspaceIntersection(box[:4] * 0.1)
+    assert open_box.to_polyhedron(threads=2) == Polyhedron(box[:4, :3] * 0.1, -(box[:4, 3] * 0.1))
+    points = np.random.default_rng(3).random((20, 3))
+    hull = delone.ConvexHull(points)
+    assert hull.to_polyhedron() == Polyhedron.from_generators(points)
+    assert hull.to_polyhedron().num_inequalities == hull.num_facets
+    with pytest.raises(delone.TimeLimitError):
+        delone.ConvexHull(np.random.default_rng(4).standard_normal((200, 8))).to_polyhedron(time_limit=0.01)
+
+
+def test_a_point_in_a_polyhedron():
+    triangle = Polyhedron.from_generators([[0, 0], [2, 0], [0, 2]])
+    assert [1, "1"] in triangle and (Fraction(1, 3), 0) in triangle and np.array([2.0, 0.0]) in triangle
+    assert [1, "1.0000000000000000000001"] not in triangle
+    for bad in ([1, 1, 1], [[1, 1]], 3):
+        with pytest.raises((ValueError, TypeError)):
+            bad in triangle  # pylint: disable=pointless-statement

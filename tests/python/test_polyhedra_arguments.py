@@ -118,6 +118,7 @@ REFUSED = {
     "there is no facet -3": (lambda: SQUARE.rays_of_facet(-3), []),
     "there is no axis 2": (lambda: SQUARE.projection([2]), []),
     "axis 1 comes twice": (lambda: SQUARE.projection([1, 1]), []),
+    "axes: 2 flags, one for each coordinate, not 3": (lambda: SQUARE.projection([True, False, True]), []),
     "polyhedra in 2 and 3 dimensions": (lambda: SQUARE.intersection(Polyhedron.space(3)), []),
     "the dimension must be at least 0": (lambda: Polyhedron.empty(-1), []),
     "a coefficient of row 1 of polyhedron 2 is not finite": (lambda: delone.polyhedra_vertices(np.r_[np.zeros(10), NAN, 0].reshape(3, 2, 2), np.zeros((3, 2))), [2]),
@@ -171,6 +172,7 @@ def test_bad_shapes_are_named(message):
 
 @pytest.mark.parametrize("call, message", [
     (lambda: Polyhedron("A", B), "A: an array, not a str"), (lambda: SQUARE.intersection(3), "other: "), (lambda: SQUARE.projection(["x"]), "axes: "),
+    (lambda: SQUARE.projection([True, 0]), "axes: integers or flags, not both"), (lambda: SQUARE.projection(3), "not iterable"),
     (lambda: Polyhedron(A, B, progress=3), "progress: True, a function of the fraction done, or None, not int"),
     (lambda: Polyhedron(A, B, memory_limit="all"), "memory_limit: a number of bytes, or None, not str"),
     (lambda: SQUARE.facets_of_vertex("a"), "vertex: "), (lambda: SQUARE.save(3), ""), (lambda: SQUARE < SQUARE, "'<' not supported")])

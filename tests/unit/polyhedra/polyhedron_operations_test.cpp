@@ -3,6 +3,8 @@
 #include "polyhedra_support.hpp"
 #include "scale.hpp"
 
+#include <delone/convex_hull.hpp>
+#include <delone/halfspaces.hpp>
 #include <delone/polyhedron.hpp>
 
 #include <gmock/gmock.h>
@@ -305,6 +307,29 @@ TEST(PolyhedronOperations, VolumesAddUp) {
     }
     EXPECT_EQ(as_fraction(*whole.image(matrix).volume()) * 3, as_fraction(*whole.volume()) * 2);
   }
+}
+
+/// Full, flat, unbounded and empty intersections, and hulls that are flat or have more than extreme points.
+TEST(Polyhedron, OfIntersectionsAndHulls) {
+  const std::vector<double> flat{1, 0,  0, -1, -1, 0, 0, -1, 0, 1, 0,  -1,
+                                 0, -1, 0, -1, 0,  0, 1, 0,  0, 0, -1, 0};
+  const HalfspaceIntersection<> square(flat, 3);
+  EXPECT_EQ(square.state(), IntersectionState::flat);
+  const Polyhedron found = to_polyhedron(square.to_data());
+  EXPECT_EQ(found, cube_around_origin(2).product(Polyhedron::from_generators({{0}}, {}, {}, 1)));
+  EXPECT_EQ(found.row_kinds().back(), RowKind::implicit);
+
+  const HalfspaceIntersection<> slab(std::vector<double>{0.5, 0, -1, -1, 0, 0}, 2);  // 0 ≤ x ≤ 2
+  EXPECT_EQ(to_polyhedron(slab.to_data()), Polyhedron::from_inequalities({{1, 0, 2}, {-1, 0, 0}}, {}, 2));
+  const HalfspaceIntersection<> none(std::vector<double>{1, 1, -1, 1}, 1);
+  EXPECT_TRUE(to_polyhedron(none.to_data()).is_empty());
+  EXPECT_EQ(test::code_of([&] { to_polyhedron(square.data()); }), Errc::invalid_argument);
+
+  const std::vector<double> points{0, 0, 1, 0, 0.5, 0, 0, 1, 1, 1, 0, 1};
+  const ConvexHull<> hull(points, 2), segment(std::vector<double>{0, 0, 2, 2, 1, 1}, 2);
+  EXPECT_EQ(to_polyhedron(hull.to_data()), unit_cube(2));
+  EXPECT_EQ(to_polyhedron(segment.to_data()), Polyhedron::from_generators({{0, 0}, {2, 2}}, {}, {}, 2));
+  EXPECT_EQ(test::code_of([&] { to_polyhedron(hull.data()); }), Errc::invalid_argument);
 }
 
 }  // namespace
