@@ -36,9 +36,17 @@ Lattice Lattice::box(std::span<const double> lengths, std::span<const int> axes)
   return lattice;
 }
 
-const periodic::Quotient& PeriodicTriangulation::Impl::quotient() const {
+const periodic::CellClasses& PeriodicTriangulation::Impl::classes() const {
   const std::lock_guard lock(mutex_);
-  if (!quotient_) quotient_ = internal::guarded("the cells", [&] { return make_quotient(ghosts, set); });
+  if (!classes_) internal::guarded("the cells", [&] { classes_.emplace(ghosts, set); });
+  return *classes_;
+}
+
+const periodic::Quotient& PeriodicTriangulation::Impl::quotient() const {
+  const periodic::CellClasses& of_cells = classes();
+  const std::lock_guard lock(mutex_);
+  if (!quotient_)
+    quotient_ = internal::guarded("the cells", [&] { return make_quotient(ghosts, set, of_cells); });
   return *quotient_;
 }
 
