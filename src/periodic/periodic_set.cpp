@@ -74,7 +74,7 @@ class SetMaker {
     internal::require_finite(input_.weights, 1, "the weight");
     internal::require_finite(input_.lattice, d_, "a coordinate", "lattice vector");
     if (!(input_.unit >= 0 && std::isfinite(input_.unit)))
-      refuse("the unit must be a positive number, or 0 for none");
+      refuse("the unit must be a finite number above 0, or 0 for none");
   }
 
   void require_independent(std::span<const Integer> rows) const {
@@ -82,7 +82,10 @@ class SetMaker {
       if (std::all_of(rows.begin() + static_cast<std::ptrdiff_t>(i * d_),
                       rows.begin() + static_cast<std::ptrdiff_t>((i + 1) * d_),
                       [](const Integer& x) { return x == 0; }))
-        refuse("lattice vector " + std::to_string(i) + " is zero", {i});
+        refuse("lattice vector " + std::to_string(i) +
+                   (input_.unit > 0 ? " is zero when rounded to multiples of the unit, which is too large"
+                                    : " is zero"),
+               {i});
     if (r_ > 0 && kernel::exact_determinant(gram_matrix(rows, r_), r_) == 0)
       refuse("the lattice is singular: its vectors are linearly dependent");
   }
@@ -105,8 +108,7 @@ class SetMaker {
   void choose_grid(const Period& period, int exponent) {
     double codes = 1;
     for (std::size_t i = 0; i < r_; ++i) codes *= 2.0 * period.reach(i) + 1;
-    if (codes > 0x1p62)
-      throw Error(Errc::unsupported, "lattices of so many dimensions, or so flat, are not supported");
+    if (codes > 0x1p62) refuse("the lattice has too many dimensions, or is too flat");
     set_.largest.assign(d_, 0.0);
     for (std::size_t i = 0; i < r_; ++i)
       for (std::size_t j = 0; j < d_; ++j)
@@ -156,8 +158,7 @@ class SetMaker {
       for (std::size_t l = 0; l < r_; ++l) {
         const Integer& factor = sums_[i * r_ + l];
         if (factor > most_of_sums || factor < -most_of_sums)
-          throw Error(Errc::unsupported,
-                      "the lattice vectors are too skewed: beyond 2^29 of the shortest ones");
+          refuse("the lattice vectors are too skewed: beyond 2^29 of the shortest ones");
         set_.sums.push_back(static_cast<std::int64_t>(factor));
         for (std::size_t j = 0; j < d_; ++j) reduced[i * d_ + j] += factor * rows.entries[l * d_ + j];
       }
@@ -165,8 +166,7 @@ class SetMaker {
       refuse("the lattice is singular on the grid of its coordinates");
     set_.period = Period(nearest_doubles(reduced, rows.grid), r_, d_);
     if (input_.is_exact && set_.displacement > 0)
-      refuse("the lattice is not on the grid of 2^" + std::to_string(grid_) +
-             ", and exact input was required");
+      refuse("the lattice is not on the grid of " + step_of_grid() + ", and exact input was required");
   }
 
   void wrap_points() {
@@ -195,10 +195,12 @@ class SetMaker {
                  internal::and_of_more(outside),
              outside);
     if (input_.is_exact && !displaced.empty())
-      refuse("point " + std::to_string(displaced.front()) + " is not on the grid of 2^" +
-                 std::to_string(grid_) + ", and exact input was required" + internal::and_of_more(displaced),
+      refuse("point " + std::to_string(displaced.front()) + " is not on the grid of " + step_of_grid() +
+                 ", and exact input was required" + internal::and_of_more(displaced),
              displaced);
   }
+
+  std::string step_of_grid() const { return input_.unit > 0 ? "the unit" : "2^" + std::to_string(grid_); }
 
   double weight(std::size_t row) const {
     const double w = input_.weights[row];

@@ -63,7 +63,8 @@ struct PeriodicSet {
 };
 
 /// Throws Errc::not_finite; bad_dimension for lattice vectors without d numbers and a wrong number of
-/// weights; invalid_argument for dependent lattice vectors, and for what the options refuse; unsupported.
+/// weights; invalid_argument for dependent, too flat or too skewed lattice vectors, and for what the options
+/// refuse.
 PeriodicSet make_periodic_set(const SetInput& input);
 
 }  // namespace delone::periodic

@@ -30,6 +30,8 @@ Lattice Lattice::box(std::span<const double> lengths, std::span<const int> axes)
     const auto j = static_cast<std::size_t>(axis);
     if (seen[j]) throw Error(Errc::invalid_argument, "axis " + std::to_string(axis) + " is given twice");
     seen[j] = true;
+    if (lengths[j] < 0)
+      throw Error(Errc::invalid_argument, "length " + std::to_string(axis) + " of the box is negative");
     lattice.vectors.resize(lattice.vectors.size() + lengths.size(), 0.0);
     lattice.vectors[lattice.vectors.size() - lengths.size() + j] = lengths[j];
   }
