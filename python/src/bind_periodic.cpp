@@ -14,6 +14,7 @@
 #include <pybind11/stl.h>
 
 #include <delone/periodic.hpp>
+#include <delone/periodic_faces.hpp>
 
 #include <cmath>
 #include <memory>
@@ -232,6 +233,25 @@ py::tuple periodic_nearest(const HeldPeriodic& held, const py::object& object) {
   return py::make_tuple(Queries::scalar_if_single(rows), offsets, Queries::scalar_if_single(distances));
 }
 
+py::tuple periodic_faces(const HeldPeriodic& held, int dimension) {
+  PeriodicFaces found = held.ask(
+      [&](const PeriodicTriangulation& t) { return faces(t, dimension, {.threads = held.threads()}); });
+  const auto count = static_cast<py::ssize_t>(found.size());
+  const auto owner = std::make_shared<const PeriodicFaces>(std::move(found));
+  std::vector<std::uint8_t> on_hull(owner->on_hull.begin(), owner->on_hull.end());
+  return py::make_tuple(
+      view<SignedIndex>(owner->vertices, {count, owner->dimension + py::ssize_t{1}}, owner),
+      view<std::int32_t>(owner->offsets, {count, owner->dimension + py::ssize_t{1}, owner->rank}, owner),
+      list_view(std::move(on_hull)).attr("view")("bool"));
+}
+
+py::array periodic_alpha_values(const HeldPeriodic& held, int dimension) {
+  return list_view(std::move(held.ask([&](const PeriodicTriangulation& t) {
+                                   return alpha_values(t, dimension, {.threads = held.threads()});
+                                 })
+                                 .values));
+}
+
 py::tuple periodic_site_cells(const HeldPeriodic& held, bool neighbors, bool proper) {
   const SiteCellsOptions options{.faces = proper ? CellFaces::proper : CellFaces::triangulated,
                                  .neighbors = neighbors};
@@ -330,6 +350,8 @@ void define_members(Class& type) {
       .def("locate", &locate_periodic, "queries"_a, text(docs::periodic::locate))
       .def("barycentric", &periodic_barycentric, "queries"_a, text(docs::periodic::barycentric))
       .def("nearest", &periodic_nearest, "queries"_a, text(docs::periodic::nearest))
+      .def("_faces", &periodic_faces, "dimension"_a)
+      .def("alpha_values", &periodic_alpha_values, "dimension"_a, text(docs::periodic::alpha_values))
       .def("_site_cells", &periodic_site_cells, "neighbors"_a, "proper"_a)
       .def("__len__",
            [](const HeldPeriodic& h) {

@@ -275,6 +275,40 @@ Examples
 >>> row, offset, distance = delone.PeriodicDelaunay([[0.25, 0.25], [0.75, 0.5]], 1.0).nearest([1.0, 0.25])
 >>> int(row), offset.tolist(), float(distance)
 (0, [1, 0], 0.25))";
+inline constexpr const char* alpha_values = R"(
+Compute the alpha values of the faces of one dimension.
+
+The alpha value of a face is the least squared radius of a sphere that passes through its vertices and has no point or translate
+strictly inside (with weights: that is orthogonal to them, with no point nearer than that).
+
+Parameters
+----------
+dimension : int
+    The dimension, 0 to d.
+
+Returns
+-------
+ndarray of float64
+    The values, in the order of ``faces(dimension)``: each is the least double that is not below the exact one. With a unit they
+    are rounded once more.
+
+Raises
+------
+ValueError
+    If the dimension is out of range.
+
+Notes
+-----
+Cost: that of the faces of all dimensions from this one on, of the points in the box and their images.
+
+Examples
+--------
+>>> import delone
+>>> t = delone.PeriodicDelaunay([[0.0, 0.0, 0.0]], 1.0)
+>>> t.alpha_values(3).tolist()
+[0.75, 0.75, 0.75, 0.75, 0.75, 0.75]
+>>> sorted(t.alpha_values(1).tolist())
+[0.25, 0.25, 0.25, 0.5, 0.5, 0.5, 0.75])";
 inline constexpr const char* linear = R"(
 The function that is linear in every cell of a periodic triangulation: periodic and continuous.
 

@@ -216,8 +216,8 @@ class ImageSearch {
   std::vector<double> moved_p_, moved_c_, image_;
   std::vector<double> fraction_of_p_, step_, slack_;  // of c − p, by the axes of the lattice
   std::vector<std::int32_t> k_, low_, high_;
-  std::vector<double> beyond_, depth_;               // |b_i| and t, by free directions
   std::vector<double> steps_, of_p_, of_step_, at_;  // a_j, p, c − p and the center along e_i
+  std::vector<double> beyond_, depth_;               // |b_i| and t, by free directions
   double radius_ = 0, along_ = 0, gain_ = 0, squared_radius_ = 0, slack_of_distance_ = 0, size_ = 0;
 };
 

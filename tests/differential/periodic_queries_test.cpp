@@ -4,9 +4,12 @@
 #include "periodic_sets.hpp"
 #include "scale.hpp"
 
+#include <delone/alpha.hpp>
 #include <delone/delaunay.hpp>
+#include <delone/faces.hpp>
 #include <delone/interpolation.hpp>
 #include <delone/natural_neighbors.hpp>
+#include <delone/periodic_faces.hpp>
 #include <delone/periodic_queries.hpp>
 #include <delone/predicates.hpp>
 #include <delone/regular.hpp>
@@ -16,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <random>
@@ -335,6 +339,53 @@ TEST(PeriodicQueries, InterpolationAsAmongCopies) {
       compare(a, b, 1e-8);
     }
     if (::testing::Test::HasFailure()) return;
+  }
+}
+
+TEST(PeriodicQueries, FacesAndAlphaValuesAsAmongCopies) {
+  for (const Set& set : sets()) {
+    if (set.points.size() > 16) continue;
+    SCOPED_TRACE(set.name);
+    const auto t = triangulated(set);
+    const Copies copies(set.points, set.weights, set.lattice, set.reach);
+    for (int j = 0; j <= copies.triangulation->affine_dimension(); ++j) {
+      const FaceValues all = alpha_values(*copies.triangulation, j);
+      const std::size_t corners = static_cast<std::size_t>(j) + 1;
+      // By names of faces: their values. Those whose smallest vertex is a given point.
+      std::map<std::vector<std::pair<SignedIndex, Offset>>, double> expected, found;
+      for (std::size_t i = 0; i < all.faces.size(); ++i) {
+        std::vector<std::pair<SignedIndex, Offset>> name;
+        std::vector<std::pair<std::vector<double>, std::size_t>> places;
+        for (const SignedIndex copy : all.faces.face(i)) {
+          const auto row = static_cast<std::size_t>(copy);
+          name.emplace_back(copies.rows[row], copies.offsets[row]);
+          places.emplace_back(std::vector<double>(&copies.coordinates[row * copies.d],
+                                                  &copies.coordinates[row * copies.d] + copies.d),
+                              row);
+        }
+        if (copies.offsets[std::min_element(places.begin(), places.end())->second] != Offset(copies.r))
+          continue;
+        std::sort(name.begin(), name.end());
+        expected.emplace(name, all.values[i]);
+      }
+      const PeriodicFaceValues once = alpha_values(*t, j);
+      EXPECT_EQ(once.faces.vertices, faces(*t, j).vertices);
+      for (std::size_t i = 0; i < once.faces.size(); ++i) {
+        std::vector<std::pair<SignedIndex, Offset>> name;
+        for (std::size_t at = i * corners; at < (i + 1) * corners; ++at)
+          name.emplace_back(
+              once.faces.vertices[at],
+              Offset(once.faces.offsets.begin() + static_cast<std::ptrdiff_t>(at * copies.r),
+                     once.faces.offsets.begin() + static_cast<std::ptrdiff_t>((at + 1) * copies.r)));
+        std::sort(name.begin(), name.end());
+        EXPECT_TRUE(found.emplace(name, once.values[i]).second);
+      }
+      ASSERT_EQ(found, expected) << "dimension " << j;
+      if (j == t->affine_dimension()) {
+        EXPECT_TRUE(std::ranges::equal(once.faces.vertices, t->cells()));
+        EXPECT_TRUE(std::ranges::equal(once.faces.offsets, t->cell_offsets()));
+      }
+    }
   }
 }
 

@@ -31,6 +31,7 @@ QUICK = {
     "delone._core.PeriodicTriangulation": "__len__ __repr__ affine_dimension dimension displacement lattice num_cells num_duplicates num_ghosts num_hidden "
                                           "num_points num_vertices point_offsets points rank statistics vertex_of_point",
     "delone.PeriodicRegular": "weights",
+    "delone.PeriodicFaces": "__init__ __len__ __repr__",
     "delone.PeriodicLinearInterpolator": "__getstate__ __repr__ triangulation values",
     "delone.PeriodicNaturalNeighborInterpolator": "__getstate__ __repr__ triangulation values",
     "delone.PolyhedraVertices": "__getitem__ __init__ __iter__ __len__ __repr__",
@@ -178,6 +179,7 @@ LONG = {
     "delone.PeriodicRegular.__init__": ("", "delone.PeriodicRegular(random.random((200_000, 3)), random.random(200_000) * 1e-5, 1.0)", "__getstate__"),
     "delone._core.PeriodicTriangulation.cells": ("t = delone.PeriodicDelaunay(random.random((300_000, 3)), 1.0)", "t.cells",
                                                  "cell_offsets neighbors neighbor_offsets is_simplicial save to_data"),
+    "delone._core.PeriodicTriangulation.faces": ("t = delone.PeriodicDelaunay(random.random((20_000, 4)), 1.0)", "t.faces(1)", "alpha_values"),
     "delone._core.PeriodicTriangulation.find_simplex": ("t = delone.PeriodicDelaunay(random.random((300, 4)), 1.0)",
                                                         "t.find_simplex(random.random((3_000_000, 4)))", "locate barycentric nearest"),
     "delone.PeriodicLinearInterpolator.__init__": ("t = delone.PeriodicDelaunay(random.random((300_000, 3)), 1.0); z = random.random(300_000)",

@@ -262,3 +262,21 @@ def test_what_is_refused_says_why():
 def test_time_limits_end_questions():
     with pytest.raises(delone.TimeLimitError):
         delone.PeriodicDelaunay(np.zeros((1, 7)), 1.0, time_limit=0.2)
+
+
+def test_faces():
+    t = delone.PeriodicDelaunay(points, vectors)
+    counts = [len(t.faces(j)) for j in range(4)]
+    assert counts[0] == 200 and counts[3] == t.num_cells and counts[0] - counts[1] + counts[2] - counts[3] == 0
+    cells = t.faces(3)
+    np.testing.assert_array_equal(cells.vertices, t.cells)
+    np.testing.assert_array_equal(cells.offsets, t.cell_offsets)
+    edges = t.faces(1)
+    ends = t.points[edges.vertices] + edges.offsets @ t.lattice
+    lengths = np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1)
+    values = t.alpha_values(1)
+    assert (values >= lengths**2 / 4 * (1 - 1e-12)).all() and len(values) == counts[1]
+    assert not edges.on_hull.any() and delone.PeriodicDelaunay(points, [1, 1, 1], [0, 1]).faces(2).on_hull.any()
+    for wrong in (-1, 4):
+        with pytest.raises(ValueError):
+            t.faces(wrong)
