@@ -107,6 +107,10 @@ constexpr std::array integers{
     Setter<std::int64_t>{
         "skip_missing",
         [](delone_options& o, std::int64_t v) { o.read.skip_missing = as_bool("skip_missing", v); }},
+    Setter<std::int64_t>{"exact",
+                         [](delone_options& o, std::int64_t v) { o.periodic.exact = as_bool("exact", v); }},
+    Setter<std::int64_t>{"wrap",
+                         [](delone_options& o, std::int64_t v) { o.periodic.wrap = as_bool("wrap", v); }},
     Setter<std::int64_t>{"vtu", [](delone_options& o, std::int64_t v) { o.tiles.vtu = as_bool("vtu", v); }},
 };
 
@@ -115,6 +119,7 @@ constexpr std::array reals{
                    [](delone_options& o, double v) { o.tolerance = finite_from_0("tolerance", v); }},
     Setter<double>{"time_limit",
                    [](delone_options& o, double v) { o.build.time_limit = finite_from_0("time_limit", v); }},
+    Setter<double>{"unit", [](delone_options& o, double v) { o.periodic.unit = finite_from_0("unit", v); }},
     Setter<double>{"fill", [](delone_options& o, double v) { o.fill = v; }},
 };
 

@@ -7,6 +7,7 @@
 #include <delone/interpolation.hpp>
 #include <delone/io.hpp>
 #include <delone/options.hpp>
+#include <delone/periodic.hpp>
 #include <delone/point_locator.hpp>
 #include <delone/tiles.hpp>
 #include <delone/voronoi.hpp>
@@ -23,6 +24,7 @@ struct delone_options {
   delone::Outside outside = delone::Outside::fill;
   double fill = std::numeric_limits<double>::quiet_NaN();
   bool proper_faces = false;  // of cells of sites
+  delone::PeriodicOptions periodic;
   delone::CheckOptions check;
   delone::ReadOptions read;    // format, columns, max_stream_bytes
   delone::TilesOptions tiles;  // what is for tiles alone

@@ -2,6 +2,7 @@
 // Cells of sites as an object of arrays.
 #include "object.hpp"
 #include "options.hpp"
+#include "periodic.hpp"
 #include "triangulation.hpp"
 
 #include <delone/site_cells.hpp>
@@ -18,8 +19,10 @@ int delone_site_cells(const delone_object* triangulation, const double* low, con
                       const double* halfspaces, size_t num_halfspaces, const delone_options* options,
                       delone_object** object) {
   return make(object, [&] {
-    const Triangulation& of = as_made(triangulation).product()->common();
-    const auto d = static_cast<std::size_t>(of.dimension());
+    const auto* const periodic = dynamic_cast<const PeriodicObject*>(triangulation);
+    const auto d =
+        static_cast<std::size_t>(periodic != nullptr ? periodic->triangulation().dimension()
+                                                     : as_made(triangulation).triangulation().dimension());
     SiteCellsOptions wanted{
         .faces = given(options).proper_faces ? CellFaces::proper : CellFaces::triangulated,
         .neighbors = true};
@@ -29,7 +32,9 @@ int delone_site_cells(const delone_object* triangulation, const double* low, con
     }
     const std::span<const double> rows = matrix(halfspaces, num_halfspaces, d + 1, "halfspaces");
     wanted.halfspaces.assign(rows.begin(), rows.end());
-    SiteCells cells = site_cells(of, wanted, execution(options));
+    SiteCells cells = periodic != nullptr ? site_cells(periodic->triangulation(), wanted, execution(options))
+                                          : site_cells(as_made(triangulation).product()->common(), wanted,
+                                                       execution(options));
     auto result = std::make_unique<Results>("site_cells");
     result->add("dimension", static_cast<std::int64_t>(cells.dimension));
     result->add("volumes", std::move(cells.volumes));
@@ -41,6 +46,7 @@ int delone_site_cells(const delone_object* triangulation, const double* low, con
     result->add("face_areas", std::move(cells.face_areas));
     result->add("distances", std::move(cells.distances));
     result->add("num_edges", std::move(cells.num_edges));
+    if (periodic != nullptr) result->add("neighbor_lattice", std::move(cells.neighbor_lattice), cells.rank);
     return result;
   });
 }

@@ -78,6 +78,8 @@ Summary summary(const T& t, const SiteCells& cells, const Cost& cost, const Cell
 /// Throws what the writing would throw in the end, before the work.
 void check_outputs(const CellsOptions& options) {
   if (options.build.output.empty()) return;
+  if (options.neighbors && chosen_format(options.build.output, options.build.output_format) == "csv")
+    throw UsageError("--neighbors: csv has a row for each cell and no neighbors; write npz");
   check_output(
       options.build.output, options.build.output_format,
       [](const std::string& nowhere, const std::string& format) { write(nowhere, SiteCells{}, format); });

@@ -8,8 +8,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <memory>
 #include <string_view>
+#include <system_error>
 
 namespace delone::cli {
 
@@ -25,6 +28,7 @@ std::vector<std::size_t> chosen_axes(const std::string& text, std::size_t count)
       throw UsageError(fmt::format("--periodic {}: each direction once", text));
     axes.push_back(axis);
   };
+  if (text.empty()) throw UsageError("--periodic '': at least one direction");
   constexpr std::string_view letters = "xyz";
   if (text.find_first_not_of(letters) == std::string::npos) {
     for (const char letter : text) add(letters.find(letter));
@@ -48,6 +52,8 @@ std::vector<double> vectors_of_lengths(const std::string& text, std::size_t d) {
     if (!length) return {};
     lengths.push_back(*length);
   }
+  if (std::any_of(lengths.begin(), lengths.end(), [](double length) { return !(length > 0); }))
+    throw UsageError(fmt::format("--lattice {}: lengths are above 0", text));
   if (lengths.size() == 1) lengths.resize(d, lengths[0]);
   if (lengths.size() != d)
     throw UsageError(
@@ -85,24 +91,32 @@ void PeriodicInput::add_to(CLI::App& command) {
           "Coordinates are multiples of this number, such as 0.001, so that ties of decimal numbers are "
           "ties")
       ->type_name("LENGTH")
-      ->needs(given)
-      ->check(CLI::PositiveNumber);
+      ->needs(given);
   command.add_flag("--exact", exact, "Refuse points that are not on the grid of the box")->needs(given);
+}
+
+PeriodicOptions PeriodicInput::options() const {
+  if (unit && !(*unit > 0 && std::isfinite(*unit)))
+    throw UsageError(fmt::format("--unit {}: a finite length above 0", *unit));
+  return {.exact = exact, .unit = unit.value_or(0)};
 }
 
 Lattice PeriodicInput::read(int dimension) const {
   const auto d = static_cast<std::size_t>(dimension);
   Lattice all{dimension, vectors_of_lengths(lattice, d)};
   if (all.vectors.empty()) {
-    const PointTable rows = read_points(lattice);
+    if (std::error_code error; lattice != "-" && !std::filesystem::exists(lattice, error))
+      throw Error(Errc::cannot_open,
+                  fmt::format("--lattice {}: neither lengths nor a file", input_name(lattice)));
+    const PointTable rows = about("--lattice", [&] { return read_points(lattice); });
     if (rows.dimension != dimension)
       throw UsageError(fmt::format("--lattice {}: vectors of {} numbers for points of dimension {}",
                                    input_name(lattice), rows.dimension, dimension));
     all.vectors = rows.coordinates;
   }
-  if (axes.empty()) return all;
+  if (!axes) return all;
   Lattice chosen{dimension, {}};
-  for (const std::size_t axis : chosen_axes(axes, static_cast<std::size_t>(all.rank()))) {
+  for (const std::size_t axis : chosen_axes(*axes, static_cast<std::size_t>(all.rank()))) {
     const auto first = all.vectors.begin() + static_cast<std::ptrdiff_t>(axis * d);
     chosen.vectors.insert(chosen.vectors.end(), first, first + static_cast<std::ptrdiff_t>(d));
   }

@@ -7,22 +7,24 @@
 #include "cost.hpp"
 #include "report.hpp"
 
+#include <optional>
 #include <span>
 #include <string>
 
 namespace delone::cli {
 
 struct PeriodicInput {
-  std::string lattice;  ///< lengths, or a file of vectors; empty: not periodic
-  std::string axes;     ///< which of the vectors; empty: all
-  double unit = 0;
+  std::string lattice;              ///< lengths, or a file of vectors; empty: not periodic
+  std::optional<std::string> axes;  ///< which of the vectors; none: all
+  std::optional<double> unit;
   bool exact = false;
 
   void add_to(CLI::App& command);
   bool is_wanted() const { return !lattice.empty(); }
   /// Throws UsageError if the value is not a lattice of this dimension.
   Lattice read(int dimension) const;
-  PeriodicOptions options() const { return {.exact = exact, .unit = unit}; }
+  /// Throws UsageError for a bad unit.
+  PeriodicOptions options() const;
 };
 
 Counts counts_of(const PeriodicTriangulation& triangulation, std::string hash);

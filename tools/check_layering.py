@@ -64,7 +64,7 @@ RULES = {
     "src/tiles": (PUBLIC, {"src/triangulation", "src/solve", "src/complex", "src/io", "src/io/points", "src/io/complexes", "src/order",
                            "src/kernel", "src/forecast/model", "src/messages", "src/base"}),
     "src/tiles/check": (PUBLIC, {"src/tiles", "src/check", "src/complex", "src/io", "src/kernel", "src/base"}),
-    "src/periodic": (PUBLIC, {"src/tiles", "src/triangulation", "src/solve", "src/complex", "src/kernel", "src/base"}),
+    "src/periodic": (PUBLIC, {"src/tiles", "src/queries", "src/triangulation", "src/solve", "src/complex", "src/kernel", "src/base"}),
     # The public header for MPI includes that of MPI.
     "include/delone/mpi": (PUBLIC, set()),
     "mpi": (PUBLIC, {"src/*", "cli"}),

@@ -13,7 +13,7 @@ test=(libgtest-dev libgmock-dev librapidcheck-dev libqhull-dev libcdd-dev lrslib
 nightly=(python3-skimage python3-libpysal python3-ase python3-pymatgen python3-xarray python3-vtk9 python3-gudhi)
 bench=(python3 python3-scipy libbenchmark-dev)
 paper=(python3 python3-numpy python3-scipy python3-matplotlib libqhull-dev libtet1.5-dev libcdd-dev libcdd-tools lrslib libppl-dev libcgal-dev
-       libeigen3-dev libgmp-dev libmpfr-dev)
+       libeigen3-dev libgmp-dev libmpfr-dev voro++-dev)
 lint=(clang-format clang-tidy python3)
 clang=(clang)
 site=(python3-sphinx python3-myst-parser furo doxygen)

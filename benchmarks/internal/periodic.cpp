@@ -54,7 +54,9 @@ void measure(const std::string& kind, std::size_t n, int runs) {
       best_of(runs, [&] { effort = delone::periodic::GhostTriangulation(set, {}).effort(); });
   const double making = best_of(runs, [&] { delone::periodic::make_periodic_set(input); });
   const delone::periodic::GhostTriangulation ghosts(set, {});
-  const double arrays = best_of(runs, [&] { delone::periodic::make_quotient(ghosts, set); });
+  const double arrays = best_of(runs, [&] {
+    delone::periodic::make_quotient(ghosts, set, delone::periodic::CellClasses(ghosts, set));
+  });
   const auto count = static_cast<double>(n);
   const double unit = 1e6 / count;
   std::printf("%-10s %8zu %8.2f %9.2f %12.2f %7.2f %8.3f %7zu %10.3f\n", kind.c_str(), n, open * unit,

@@ -117,6 +117,9 @@ DELONE_C_API void delone_set_progress(delone_progress progress, void* user_data)
  *   integer  oriented 1         of checks: 0 takes cells as sets, as Qhull and SciPy have them
  *   integer  furthest_site 0    of checks of a "triangulation" whose kind is "": 1 asks for furthest sites
  *   integer  proper_faces 0     of cells of sites: 1 counts only faces with an area
+ *   real     unit 0             of periodic sets: coordinates are multiples of it; 0: none
+ *   integer  exact 0            of the same: 1 refuses what is not on the grid
+ *   integer  wrap 1             of the same: 0 refuses points outside of the box
  *   text     format ""          of files that are read; "": by the extension
  *   text     columns            of files of points: a name, a number from 0, or a range such as 2-5. Each
  *                               call adds one; NULL removes all; none: all columns
@@ -169,6 +172,16 @@ DELONE_C_API int delone_set_text(delone_options* options, const char* name, cons
  *   alpha_complex: array cell_numbers: the cells in the whole; boundary b x k rows, boundary_cells b;
  *            singular_facets s x k rows
  *
+ * "periodic_delaunay", "periodic_regular" with r lattice vectors
+ *   integer  dimension affine_dimension rank num_points num_vertices num_duplicates num_hidden num_cells
+ *            num_ghosts is_simplicial
+ *   real     displacement: the most that a coordinate has moved onto the grid
+ *   text     hash; kind: "periodic_delaunay", "periodic_regular"
+ *   array    points n x d; weights n (regular); lattice r x d; cells m x (k+1) rows; neighbors m x (k+1);
+ *            vertex_of_point n; and int32: cell_offsets, a row of r for each entry of cells: the point is
+ *            translated by that many lattice vectors; neighbor_offsets, likewise for neighbors;
+ *            point_offsets n x r: how a point is translated from its vertex
+ *
  * "convex_hull"; "hull" (read)
  *   integer  dimension+ affine_dimension+ num_points+ num_cells+ num_facets+ num_ridges+ num_vertices+
  *            num_duplicates
@@ -218,7 +231,8 @@ DELONE_C_API int delone_set_text(delone_options* options, const char* name, cons
  * "lists" (of queries)  array offsets q+1 (int64), and the arrays that the query names
  * "site_cells"          integer dimension; array volumes, centroids, areas, num_faces, an entry for each row
  *                       (infinity and NaN for unbounded cells), neighbor_offsets (int64), neighbors (-1: a wall),
- *                       face_areas, distances, num_edges (in 3 dimensions)
+ *                       face_areas, distances, num_edges (in 3 dimensions), neighbor_lattice (int32, of
+ *                       periodic sets: r numbers for each neighbor)
  * "report" (of checks)  integer ok level ties; text level_name level_meaning violation (empty if ok is 1)
  *                       not_examined (what the data say without holding a proof; mostly empty);
  *                       array cells, points, vertices, halfspaces (int64): what the violation concerns
@@ -287,6 +301,17 @@ DELONE_C_API int delone_furthest_site(const double* points, size_t num_points, i
                                       const delone_options* options, delone_object** object);
 DELONE_C_API int delone_regular(const double* points, const double* weights, size_t num_points, int dimension,
                                 const delone_options* options, delone_object** object);
+
+/* The same of a periodic set: n points and all their translates by `num_vectors` lattice vectors, as many
+ * rows of d numbers, linearly independent. Points and lattice are put on a grid of about 50 bits. One cell of
+ * each class of translates is kept. Options: also unit, exact, wrap. Errors: also INVALID_ARGUMENT for a
+ * singular lattice and for what the options refuse. periodic.hpp describes the results in full. */
+DELONE_C_API int delone_periodic_delaunay(const double* points, size_t num_points, int dimension,
+                                          const double* lattice, size_t num_vectors,
+                                          const delone_options* options, delone_object** object);
+DELONE_C_API int delone_periodic_regular(const double* points, const double* weights, size_t num_points,
+                                         int dimension, const double* lattice, size_t num_vectors,
+                                         const delone_options* options, delone_object** object);
 
 /* The convex hull of n points of R^d. Options: those above, and tolerance: no point is farther than that from
  * the hull. Errors as above, INVALID_ARGUMENT for a tolerance that is negative, not finite, or larger than
@@ -391,6 +416,20 @@ DELONE_C_API int delone_locate(const delone_object* object, const double* querie
  * UNSUPPORTED for "furthest_site". */
 DELONE_C_API int delone_nearest(const delone_object* triangulation, const double* queries, size_t num_queries,
                                 size_t count, const delone_options* options, int64_t* rows);
+
+/* The same for periodic triangulations; queries may be anywhere. Outputs may be NULL.
+ *   cells        a cell that contains the query when it is translated by `offsets` (r numbers for each query)
+ *                times the lattice vectors; -1 outside
+ *   kinds, barycentric  as above
+ *   rows         the nearest of all points and their translates, which is translated by `offsets`; of equally
+ *                near ones the smaller row, then the lexicographically smaller offset; -1 without points
+ *   distances    from the query; with weights the power, and NaN without points */
+DELONE_C_API int delone_periodic_locate(const delone_object* triangulation, const double* queries,
+                                        size_t num_queries, const delone_options* options, int64_t* cells,
+                                        int32_t* offsets, uint8_t* kinds, double* barycentric);
+DELONE_C_API int delone_periodic_nearest(const delone_object* triangulation, const double* queries,
+                                         size_t num_queries, const delone_options* options, int64_t* rows,
+                                         int32_t* offsets, double* distances);
 
 /* Lists with the array "cells" (int64): the cells within a finite radius >= 0 of each query, increasing. All
  * such cells, and maybe some that are farther by a rounding error. */

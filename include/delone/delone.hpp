@@ -28,6 +28,8 @@
 #include <delone/natural_neighbors.hpp>
 #include <delone/options.hpp>
 #include <delone/periodic.hpp>
+#include <delone/periodic_faces.hpp>
+#include <delone/periodic_queries.hpp>
 #include <delone/point_locator.hpp>
 #include <delone/point_sets.hpp>
 #include <delone/points.hpp>

@@ -29,7 +29,7 @@ struct DELONE_EXPORT Lattice {
   std::vector<double> vectors;  ///< r×d, row by row
 
   int rank() const { return dimension < 1 ? 0 : static_cast<int>(vectors.size()) / dimension; }
-  /// That of a box with these sides along the axes.
+  /// That of a box with these sides along the axes. Throws Errc::invalid_argument for a negative length.
   static Lattice box(std::span<const double> lengths);
   /// The same for a set that is periodic along these axes only; other lengths do not matter. Throws
   /// Errc::invalid_argument unless axes are different and 0 … d−1.

@@ -12,9 +12,9 @@ contains all points, and m the number of cells. Rows and cells are numbered from
 import importlib as _importlib
 
 from ._core import (AlphaComplex, CancelledError, ConvexHull, Delaunay, Error, Faces, Forecast, FurthestSite, FurthestVoronoi, HalfspaceIntersection, InputError,
-                    LinearInterpolator, LowerHull, NaturalNeighborInterpolator, OutOfMemoryError, PeriodicDelaunay, PeriodicRegular,
-                    Polyhedron, PowerDiagram, Regular, TimeLimitError, TrimResult, Voronoi, __version__, estimate, forecast,
-                    natural_neighbors)
+                    LinearInterpolator, LowerHull, NaturalNeighborInterpolator, OutOfMemoryError, PeriodicDelaunay, PeriodicLinearInterpolator,
+                    PeriodicNaturalNeighborInterpolator, PeriodicRegular, Polyhedron, PowerDiagram, Regular, TimeLimitError, TrimResult,
+                    Voronoi, __version__, estimate, forecast, natural_neighbors)
 from ._changes import Changes
 from ._clipped_regions import ClippedRegions
 from ._convex_hulls import ConvexHulls, convex_hulls
@@ -24,18 +24,19 @@ from ._locations import Locations
 from ._methods import attach as _attach
 from ._missing import attach as _attach_missing
 from ._patch import patch_scipy, scipy_is_patched, unpatch_scipy
+from ._periodic_faces import PeriodicFaces
 from ._polyhedra import Optimum, PolyhedraVertices, polyhedra_vertices, read_polyhedron
 from ._site_cells import SiteCells
 
 __all__ = ["AlphaComplex", "CancelledError", "Changes", "CheckReport", "ClippedRegions", "ComplexData", "ConvexHull", "ConvexHulls", "Data", "Delaunay", "Error", "Faces",
            "Forecast", "FurthestSite", "FurthestVoronoi", "HalfspaceIntersection", "HullData", "InputError", "IntersectionData", "LinearInterpolator", "Locations",
-           "LowerHull", "NaturalNeighborInterpolator", "Optimum", "OutOfMemoryError", "PeriodicDelaunay", "PeriodicRegular",
-           "PolyhedraVertices", "Polyhedron", "PowerDiagram", "Regular", "SiteCells", "TimeLimitError", "TrimResult", "Voronoi",
-           "VoronoiData", "__version__", "check", "convex_hulls", "estimate", "forecast", "generate", "lower_hull", "natural_neighbors",
+           "LowerHull", "NaturalNeighborInterpolator", "Optimum", "OutOfMemoryError", "PeriodicDelaunay", "PeriodicFaces", "PeriodicLinearInterpolator",
+           "PeriodicNaturalNeighborInterpolator", "PeriodicRegular", "PolyhedraVertices", "Polyhedron", "PowerDiagram", "Regular",
+           "SiteCells", "TimeLimitError", "TrimResult", "Voronoi", "VoronoiData", "__version__", "check", "convex_hulls", "estimate", "forecast", "generate", "lower_hull", "natural_neighbors",
            "patch_scipy", "polyhedra_vertices", "read", "read_polyhedron", "scipy_is_patched", "unpatch_scipy", "write_points"]
 
 for _name in __all__:
-    if getattr(globals()[_name], "__module__", "").startswith(("delone._core", "delone._changes", "delone._clipped_regions", "delone._convex_hulls", "delone._data", "delone._files", "delone._polyhedra", "delone._site_cells")):
+    if getattr(globals()[_name], "__module__", "").startswith(("delone._core", "delone._changes", "delone._clipped_regions", "delone._convex_hulls", "delone._data", "delone._files", "delone._periodic_faces", "delone._polyhedra", "delone._site_cells")):
         globals()[_name].__module__ = "delone"
 del _name
 _attach()

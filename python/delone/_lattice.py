@@ -17,6 +17,8 @@ def vectors(lattice: Any, axes: Any, dimension: int) -> np.ndarray:
             axes = np.asarray(lattice.pbc, dtype=bool)
         lattice = lattice.cell
     given = np.asarray(_core._doubles(np.asarray(lattice), "lattice"))
+    if given.ndim < 2 and (given < 0).any():
+        raise ValueError("lattice: lengths above 0, not " + ", ".join(map(str, given.ravel().tolist())))
     if given.ndim == 0:
         given = np.full(dimension, float(given))
     if given.ndim == 1:

@@ -2,7 +2,7 @@
 """Answers to `locate`: arrays, and one query at a time."""
 from __future__ import annotations
 
-from typing import Iterator, Tuple
+from typing import Iterator, Optional, Tuple
 
 import numpy as np
 
@@ -24,6 +24,10 @@ class Locations:
         The input rows that span the smallest face that contains each query, increasing.
     kinds : tuple of str
         The names of the kinds.
+    offset : (q, r) ndarray of int32, optional
+        Of a periodic triangulation with r lattice vectors: the translation of each cell. None for others.
+    face_lattice : (len(face_rows), r) ndarray of int32, optional
+        Likewise the translations of the points of faces.
 
     Examples
     --------
@@ -36,10 +40,12 @@ class Locations:
     ('outside_hull', -1, ())
     """
 
-    __slots__ = ("cell", "face_offsets", "face_rows", "kind", "kinds")
+    __slots__ = ("cell", "face_lattice", "face_offsets", "face_rows", "kind", "kinds", "offset")
 
-    def __init__(self, kind: np.ndarray, cell: np.ndarray, face_offsets: np.ndarray, face_rows: np.ndarray, kinds: Tuple[str, ...]):
+    def __init__(self, kind: np.ndarray, cell: np.ndarray, face_offsets: np.ndarray, face_rows: np.ndarray, kinds: Tuple[str, ...],
+                 offset: Optional[np.ndarray] = None, face_lattice: Optional[np.ndarray] = None):
         self.kind, self.cell, self.face_offsets, self.face_rows, self.kinds = kind, cell, face_offsets, face_rows, kinds
+        self.offset, self.face_lattice = offset, face_lattice
 
     def __len__(self) -> int:
         return len(self.kind)

@@ -39,7 +39,7 @@ void refuse_objects(const std::string& name, const py::array& array) {
     if (value.is_none()) refuse_entry(name, i, array, "None is not a number");
     if (is_large) refuse_entry(name, i, array, shown(value) + " is beyond the range of double precision");
     if (is_text) refuse_entry(name, i, array, represented(value) + " is not a number");
-    refuse_entry(name, i, array, "a " + type_name(value) + " is not a number");
+    refuse_entry(name, i, array, type_with_article(value) + " is not a number");
   }
 }
 

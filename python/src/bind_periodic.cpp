@@ -4,6 +4,7 @@
 #include "data_members.hpp"
 #include "docs_periodic.hpp"
 #include "docstring.hpp"
+#include "held_periodic.hpp"
 #include "module.hpp"
 #include "pickling.hpp"
 #include "running.hpp"
@@ -13,7 +14,9 @@
 #include <pybind11/stl.h>
 
 #include <delone/periodic.hpp>
+#include <delone/periodic_faces.hpp>
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
@@ -23,31 +26,6 @@ namespace delone::python {
 namespace {
 
 using namespace py::literals;
-
-/// A triangulation that nothing changes any more.
-class HeldPeriodic {
- public:
-  using Held = std::shared_ptr<const PeriodicTriangulation>;
-
-  HeldPeriodic(Held held, PeriodicOptions options, int threads)
-      : held_(std::move(held)), options_(options), threads_(static_cast<unsigned>(threads)) {}
-
-  const PeriodicTriangulation& get() const { return *held_; }
-  const Held& owner() const { return held_; }
-  const PeriodicOptions& options() const { return options_; }
-  unsigned threads() const { return threads_; }
-  /// The answer of what may be made on first use.
-  template <class Question>
-  auto ask(Question question) const {
-    Supervisor supervisor;
-    return supervisor.run([&] { return question(*held_); });
-  }
-
- private:
-  Held held_;
-  PeriodicOptions options_;
-  unsigned threads_;
-};
 
 /// One C++ class for each Python class.
 struct HeldPeriodicDelaunay : HeldPeriodic {
@@ -67,9 +45,10 @@ Lattice as_lattice(const py::object& lattice, const py::object& axes, int dimens
 PeriodicOptions as_periodic_options(bool exact, bool wrap, const py::object& unit) {
   PeriodicOptions options{exact, wrap, 0};
   if (!unit.is_none()) {
-    if (PyNumber_Check(unit.ptr()) == 0) throw py::type_error("unit: a number above 0, or None");
+    if (PyNumber_Check(unit.ptr()) == 0) throw py::type_error("unit: a finite number above 0, or None");
     options.unit = py::float_(unit);
-    if (!(options.unit > 0)) throw py::value_error("unit: a number above 0, or None");
+    if (!(options.unit > 0 && std::isfinite(options.unit)))
+      throw py::value_error("unit: a finite number above 0, or None");
   }
   return options;
 }
@@ -182,6 +161,97 @@ Held restored_periodic(const py::tuple& given, bool is_regular) {
   });
 }
 
+/// Answers of the locator, without the GIL.
+template <class Question>
+auto ask_locator(const HeldPeriodic& held, Question question) {
+  Supervisor supervisor;
+  return supervisor.run([&] { return question(held.locator(), Execution{.threads = held.threads()}); });
+}
+template <class T>
+std::span<T> span_of_answers(py::array_t<T>& array) {
+  return {array.mutable_data(), static_cast<std::size_t>(array.size())};
+}
+
+py::tuple find_periodic_simplices(const HeldPeriodic& held, const py::object& object) {
+  const Queries queries(object, held.dimension());
+  auto cells = queries.answers<SignedIndex>();
+  auto offsets = queries.answers<std::int32_t>({static_cast<std::size_t>(held.get().rank())});
+  ask_locator(
+      held,
+      [&, to = PeriodicLocatedArrays{.cells = span_of_answers(cells), .offsets = span_of_answers(offsets)},
+       x = queries.coordinates()](const PeriodicPointLocator& locator, const Execution& how) {
+        locator.locate(x, to, how);
+      });
+  return py::make_tuple(Queries::scalar_if_single(cells), offsets);
+}
+
+py::tuple periodic_barycentric(const HeldPeriodic& held, const py::object& object) {
+  const Queries queries(object, held.dimension());
+  auto cells = queries.answers<SignedIndex>();
+  auto offsets = queries.answers<std::int32_t>({static_cast<std::size_t>(held.get().rank())});
+  auto weights = queries.answers<double>({static_cast<std::size_t>(held.get().affine_dimension() + 1)});
+  ask_locator(held, [&,
+                     to = PeriodicLocatedArrays{.cells = span_of_answers(cells),
+                                                .offsets = span_of_answers(offsets),
+                                                .barycentric = span_of_answers(weights)},
+                     x = queries.coordinates()](const PeriodicPointLocator& locator, const Execution& how) {
+    locator.locate(x, to, how);
+  });
+  return py::make_tuple(Queries::scalar_if_single(cells), offsets, weights);
+}
+
+py::object locate_periodic(const HeldPeriodic& held, const py::object& object) {
+  const Queries queries(object, held.dimension());
+  auto found =
+      ask_locator(held, [x = queries.coordinates()](const PeriodicPointLocator& locator,
+                                                    const Execution& how) { return locator.locate(x, how); });
+  const std::size_t count = found.kinds.size(), faces = found.face_rows.size(),
+                    rank = static_cast<std::size_t>(held.get().rank());
+  std::vector<std::uint8_t> kinds(count);
+  std::transform(found.kinds.begin(), found.kinds.end(), kinds.begin(),
+                 [](Location::Kind kind) { return static_cast<std::uint8_t>(kind); });
+  return py::module_::import("delone._locations")
+      .attr("Locations")(
+          list_view(std::move(kinds)), list_view(std::move(found.cells)),
+          list_view(std::move(found.face_offsets)), list_view(std::move(found.face_rows)),
+          py::make_tuple("in_cell", "on_face", "on_vertex", "outside_hull", "outside_affine_hull"),
+          rows_view(std::move(found.offsets), count, rank),
+          rows_view(std::move(found.face_lattice), faces, rank));
+}
+
+py::tuple periodic_nearest(const HeldPeriodic& held, const py::object& object) {
+  const Queries queries(object, held.dimension());
+  auto rows = queries.answers<SignedIndex>();
+  auto offsets = queries.answers<std::int32_t>({static_cast<std::size_t>(held.get().rank())});
+  auto distances = queries.answers<double>();
+  ask_locator(held, [&,
+                     to = PeriodicNearestArrays{span_of_answers(rows), span_of_answers(offsets),
+                                                span_of_answers(distances)},
+                     x = queries.coordinates()](const PeriodicPointLocator& locator, const Execution& how) {
+    locator.nearest(x, to, how);
+  });
+  return py::make_tuple(Queries::scalar_if_single(rows), offsets, Queries::scalar_if_single(distances));
+}
+
+py::tuple periodic_faces(const HeldPeriodic& held, int dimension) {
+  PeriodicFaces found = held.ask(
+      [&](const PeriodicTriangulation& t) { return faces(t, dimension, {.threads = held.threads()}); });
+  const auto count = static_cast<py::ssize_t>(found.size());
+  const auto owner = std::make_shared<const PeriodicFaces>(std::move(found));
+  std::vector<std::uint8_t> on_hull(owner->on_hull.begin(), owner->on_hull.end());
+  return py::make_tuple(
+      view<SignedIndex>(owner->vertices, {count, owner->dimension + py::ssize_t{1}}, owner),
+      view<std::int32_t>(owner->offsets, {count, owner->dimension + py::ssize_t{1}, owner->rank}, owner),
+      list_view(std::move(on_hull)).attr("view")("bool"));
+}
+
+py::array periodic_alpha_values(const HeldPeriodic& held, int dimension) {
+  return list_view(std::move(held.ask([&](const PeriodicTriangulation& t) {
+                                   return alpha_values(t, dimension, {.threads = held.threads()});
+                                 })
+                                 .values));
+}
+
 py::tuple periodic_site_cells(const HeldPeriodic& held, bool neighbors, bool proper) {
   const SiteCellsOptions options{.faces = proper ? CellFaces::proper : CellFaces::triangulated,
                                  .neighbors = neighbors};
@@ -276,6 +346,12 @@ void define_members(Class& type) {
            [](const HeldPeriodic& h) {
              return to_python(h.ask([](const PeriodicTriangulation& t) { return t.to_data(); }));
            })
+      .def("find_simplex", &find_periodic_simplices, "queries"_a, text(docs::periodic::find_simplex))
+      .def("locate", &locate_periodic, "queries"_a, text(docs::periodic::locate))
+      .def("barycentric", &periodic_barycentric, "queries"_a, text(docs::periodic::barycentric))
+      .def("nearest", &periodic_nearest, "queries"_a, text(docs::periodic::nearest))
+      .def("_faces", &periodic_faces, "dimension"_a)
+      .def("alpha_values", &periodic_alpha_values, "dimension"_a, text(docs::periodic::alpha_values))
       .def("_site_cells", &periodic_site_cells, "neighbors"_a, "proper"_a)
       .def("__len__",
            [](const HeldPeriodic& h) {

@@ -139,4 +139,335 @@ What the construction has cost, a dict, as `Delaunay.statistics`.)";
 inline constexpr const char* hash = R"(
 The hash of the periodic set and its cells, 32 hexadecimal digits; the same whichever translates and basis were given.)";
 
+inline constexpr const char* find_simplex = R"(
+Find the cell that contains each query, and how it is translated.
+
+Parameters
+----------
+queries : (..., d) array_like
+    The queries, finite numbers, anywhere.
+
+Returns
+-------
+cells : (...) ndarray of int, or int
+    The rows of `cells`; -1 outside, which is only where the set is not periodic in all directions.
+offsets : (..., r) ndarray of int32
+    Query i is in cell ``cells[i]`` translated by ``offsets[i] @ lattice``; 0 outside.
+
+Raises
+------
+InputError
+    If a query is NaN, infinite, or more than 2^29 periods away.
+ValueError
+    If the queries have another shape.
+
+See Also
+--------
+barycentric : Also compute the coordinates in the cells.
+locate : Also find the faces that contain the queries.
+
+Notes
+-----
+Queries are put on the grid as the points are; with a unit, on one that is finer. The answer is exact for the query on the grid,
+and moves with the query. Of several cells with the query on a common face the first counts. The first call makes a table; then a
+query takes about as long as without a lattice, and some microseconds near the border of the box.
+
+Examples
+--------
+>>> import delone
+>>> t = delone.PeriodicDelaunay([[0.25, 0.25], [0.75, 0.5]], 1.0)
+>>> cells, offsets = t.find_simplex([[0.9, 0.1], [5.9, 0.1]])
+>>> bool(cells[0] == cells[1]), (offsets[1] - offsets[0]).tolist()
+(True, [5, 0]))";
+inline constexpr const char* locate = R"(
+Locate each query exactly.
+
+Parameters
+----------
+queries : (..., d) array_like
+    The queries, finite numbers, anywhere.
+
+Returns
+-------
+Locations
+    The kind, the cell and its translation `offset`, and the rows of the smallest face that contains each query, with their
+    translations `face_lattice`.
+
+Raises
+------
+InputError
+    As for `find_simplex`.
+ValueError
+    If the queries have another shape.
+
+Examples
+--------
+>>> import delone
+>>> t = delone.PeriodicDelaunay([[0.25, 0.25], [0.75, 0.5]], 1.0)
+>>> places = t.locate([[1.25, 0.25]])
+>>> places[0][0], places.face_rows.tolist(), places.face_lattice.tolist()
+('on_vertex', [0], [[1, 0]]))";
+inline constexpr const char* barycentric = R"(
+Find the cell of each query and its barycentric coordinates.
+
+Parameters
+----------
+queries : (..., d) array_like
+    The queries, finite numbers, anywhere.
+
+Returns
+-------
+cells : (...) ndarray of int, or int
+    As of `find_simplex`.
+offsets : (..., r) ndarray of int32
+    As of `find_simplex`.
+weights : (..., k+1) ndarray of float64
+    The barycentric coordinates by vertices of the cells, >= 0 with sum 1; NaN outside. None is off by more than 2^-36.
+
+Raises
+------
+InputError
+    As for `find_simplex`.
+ValueError
+    If the queries have another shape.
+
+Examples
+--------
+>>> import delone
+>>> t = delone.PeriodicDelaunay([[0.25, 0.25], [0.75, 0.5]], 1.0)
+>>> cell, offset, weights = t.barycentric([0.9, 0.1])
+>>> corners = t.points[t.cells[cell]] + (t.cell_offsets[cell] + offset) @ t.lattice
+>>> (weights @ corners).round(9)
+array([0.9, 0.1]))";
+inline constexpr const char* nearest = R"(
+Find the nearest point of each query among all translates: the minimum image.
+
+Parameters
+----------
+queries : (..., d) array_like
+    The queries, finite numbers, anywhere.
+
+Returns
+-------
+rows : (...) ndarray of int, or int
+    The rows of the nearest points; -1 without points. Of equally near points the smallest row counts, and of its translates
+    the one of the lexicographically smallest offset.
+offsets : (..., r) ndarray of int32
+    The nearest is ``points[rows[i]] + offsets[i] @ lattice``.
+distances : (...) ndarray of float64, or float
+    Their distances; NaN without points.
+
+Raises
+------
+InputError
+    As for `find_simplex`.
+ValueError
+    If the queries have another shape.
+
+Notes
+-----
+Exact for the query on the grid. For `PeriodicRegular` the points of least power ``|x - p|^2 - weight``, and the powers. The first
+call makes a table of all edges.
+
+Examples
+--------
+>>> import delone
+>>> row, offset, distance = delone.PeriodicDelaunay([[0.25, 0.25], [0.75, 0.5]], 1.0).nearest([1.0, 0.25])
+>>> int(row), offset.tolist(), float(distance)
+(0, [1, 0], 0.25))";
+inline constexpr const char* alpha_values = R"(
+Compute the alpha values of the faces of one dimension.
+
+The alpha value of a face is the least squared radius of a sphere that passes through its vertices and has no point or translate
+strictly inside (with weights: that is orthogonal to them, with no point nearer than that).
+
+Parameters
+----------
+dimension : int
+    The dimension, 0 to d.
+
+Returns
+-------
+ndarray of float64
+    The values, in the order of ``faces(dimension)``: each is the least double that is not below the exact one. With a unit they
+    are rounded once more.
+
+Raises
+------
+ValueError
+    If the dimension is out of range.
+
+Notes
+-----
+Cost: that of the faces of all dimensions from this one on, of the points in the box and their images.
+
+Examples
+--------
+>>> import delone
+>>> t = delone.PeriodicDelaunay([[0.0, 0.0, 0.0]], 1.0)
+>>> t.alpha_values(3).tolist()
+[0.75, 0.75, 0.75, 0.75, 0.75, 0.75]
+>>> sorted(t.alpha_values(1).tolist())
+[0.25, 0.25, 0.25, 0.5, 0.5, 0.5, 0.75])";
+inline constexpr const char* linear = R"(
+The function that is linear in every cell of a periodic triangulation: periodic and continuous.
+
+Parameters
+----------
+triangulation : PeriodicDelaunay or PeriodicRegular
+    The triangulation of the points.
+values : (n, ...) array_like
+    A value of any shape for each point, real or complex. Of duplicates the first counts; those of hidden points are not used.
+outside : {'fill', 'nearest', 'error'}, default 'fill'
+    What queries outside get, where the set is not periodic in all directions: a constant, the value of the nearest point, or
+    InputError.
+fill_value : number, default nan
+    The constant.
+
+Raises
+------
+ValueError
+    If the values do not fit the points.
+
+See Also
+--------
+LinearInterpolator : Without a lattice.
+PeriodicNaturalNeighborInterpolator : Smoother.
+
+Notes
+-----
+Which cell contains a query is decided exactly (`PeriodicDelaunay.find_simplex`).
+
+Examples
+--------
+>>> import delone
+>>> t = delone.PeriodicDelaunay([[0.0], [0.5]], 1.0)
+>>> f = delone.PeriodicLinearInterpolator(t, [0.0, 1.0])
+>>> f([[0.25], [0.75], [10.75]])
+array([0.5, 0.5, 0.5]))";
+inline constexpr const char* natural = R"(
+Natural neighbor interpolation on a periodic Delaunay triangulation: the sum of values times Sibson coordinates.
+
+Parameters
+----------
+triangulation : PeriodicDelaunay
+    The triangulation of the points.
+values : (n, ...) array_like
+    A value of any shape for each point, real or complex. Of duplicates the first counts.
+outside : {'fill', 'nearest', 'error'}, default 'fill'
+    As for `PeriodicLinearInterpolator`.
+fill_value : number, default nan
+    The constant.
+
+Raises
+------
+ValueError
+    If the values do not fit the points.
+Error
+    If the points have weights.
+
+See Also
+--------
+NaturalNeighborInterpolator : Without a lattice.
+
+Notes
+-----
+Continuous, and continuously differentiable except at the points. Near the border of the box a query takes several times as long
+as elsewhere.
+
+Examples
+--------
+>>> import delone
+>>> t = delone.PeriodicDelaunay([[0.0], [0.5]], 1.0)
+>>> f = delone.PeriodicNaturalNeighborInterpolator(t, [0.0, 1.0])
+>>> f([[0.25], [0.75]])
+array([0.5, 0.5]))";
+inline constexpr const char* call = R"(
+The values at queries.
+
+Parameters
+----------
+queries : (..., d) array_like
+    The queries, finite numbers, anywhere.
+
+Returns
+-------
+(..., ...) ndarray of float64 or complex128, or number
+    The shape of the queries followed by that of one value.
+
+Raises
+------
+InputError
+    If a query is NaN, infinite or more than 2^29 periods away, or outside with ``outside='error'``.
+ValueError
+    If the queries have another shape.
+
+Examples
+--------
+>>> import delone
+>>> t = delone.PeriodicDelaunay([[0.0], [0.5]], 1.0)
+>>> float(delone.PeriodicLinearInterpolator(t, [0.0, 1.0])([0.75]))
+0.5)";
+inline constexpr const char* gradient = R"(
+The gradients at queries.
+
+Parameters
+----------
+queries : (..., d) array_like
+    The queries, finite numbers, anywhere.
+
+Returns
+-------
+(..., ..., d) ndarray of float64 or complex128
+    The shape of the queries followed by that of one value and d. Where cells meet it is the gradient in one of them.
+
+Raises
+------
+InputError
+    As for calls.
+ValueError
+    If the queries have another shape.
+
+Examples
+--------
+>>> import delone
+>>> t = delone.PeriodicDelaunay([[0.0], [0.5]], 1.0)
+>>> delone.PeriodicLinearInterpolator(t, [0.0, 1.0]).gradient([[0.25], [0.75]])
+array([[ 2.],
+       [-2.]]))";
+inline constexpr const char* natural_neighbors = R"(
+The natural neighbors of each query and their Sibson coordinates.
+
+Parameters
+----------
+queries : (q, d) array_like
+    The queries, finite numbers, anywhere.
+
+Returns
+-------
+indptr : (q+1,) ndarray of int64
+    Query i has the entries ``indptr[i]:indptr[i+1]`` of the other arrays.
+rows : ndarray of int
+    The rows of the neighbors.
+offsets : (len(rows), r) ndarray of int32
+    Their translations: a neighbor is ``points[rows[j]] + offsets[j] @ lattice``.
+weights : ndarray of float64
+    The coordinates, > 0 with sum 1 for each query.
+
+Raises
+------
+InputError
+    As for calls.
+ValueError
+    If the queries have another shape.
+
+Examples
+--------
+>>> import delone
+>>> t = delone.PeriodicDelaunay([[0.0], [0.5]], 1.0)
+>>> f = delone.PeriodicNaturalNeighborInterpolator(t, [0.0, 1.0])
+>>> indptr, rows, offsets, weights = f.natural_neighbors([[0.75]])
+>>> rows.tolist(), offsets.tolist(), weights.tolist()
+([0, 1], [[1], [0]], [0.5, 0.5]))";
+
 }  // namespace delone::python::docs::periodic

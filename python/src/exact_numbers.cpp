@@ -89,7 +89,7 @@ class NumberReader {
     }
     places_.refuse(
         Errc::invalid_argument, index,
-        value.is_none() ? "None is not a number" : "a " + type_name(value) + " is not a rational number");
+        value.is_none() ? "None is not a number" : type_with_article(value) + " is not a rational number");
   }
 
   Rational of_double(double value, py::ssize_t index) const {

@@ -37,4 +37,11 @@ std::string type_name(const py::handle& value) {
   return printed(py::type::handle_of(value).attr("__name__"));
 }
 
+std::string type_with_article(const py::handle& value) {
+  const std::string name = type_name(value);
+  const bool has_vowel =
+      !name.empty() && std::string_view("aeiouAEIOU").find(name[0]) != std::string_view::npos;
+  return (has_vowel ? "an " : "a ") + name;
+}
+
 }  // namespace delone::python

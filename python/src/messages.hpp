@@ -19,5 +19,7 @@ std::string represented(const pybind11::handle& value);
 
 /// The name of its type.
 std::string type_name(const pybind11::handle& value);
+/// The same with its article: "a dict", "an object".
+std::string type_with_article(const pybind11::handle& value);
 
 }  // namespace delone::python

@@ -28,6 +28,7 @@ void bind_polyhedra(pybind11::module_& module);
 void bind_polyhedra_vertices(pybind11::module_& module);
 void bind_periodic(pybind11::module_& module);
 void bind_qhull_options(pybind11::module_& module);
+void bind_periodic_queries(pybind11::module_& module);
 
 /// After all of these: inspect.signature() works on everything.
 void give_signatures(pybind11::module_& module);

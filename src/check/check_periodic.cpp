@@ -97,6 +97,10 @@ class PeriodicCheck {
           if (is_closed())
             throw Violation{
                 fmt::format("facet {} of cell {} is outside, but the set is periodic everywhere", i, c), {c}};
+          for (std::size_t l = 0; l < r_; ++l)
+            if (data_.neighbor_offsets[(c * corners_ + i) * r_ + l] != 0)
+              throw Violation{fmt::format("facet {} of cell {} is outside, but has a neighbor offset", i, c),
+                              {c}};
           continue;
         }
         check_neighbor(c, i);

@@ -2,6 +2,7 @@
 // Rounds of insertions and questions.
 #include "periodic/ghost_triangulation.hpp"
 
+#include "base/build_limits.hpp"
 #include "base/compiled_dimension.hpp"
 #include "base/progress_meter.hpp"
 #include "base/quick_rounds.hpp"
@@ -217,14 +218,25 @@ class GhostTriangulation::Asking {
 
 GhostTriangulation::GhostTriangulation(const PeriodicSet& set, const Options& options)
     : set_(set), images_(set) {
+  // Limits and progress are those of all batches and questions together.
+  internal::BuildLimits limits(options.memory_limit, options.time_limit, "points");
+  limits.count_items(false);
   const internal::ProgressMeter meter(options.progress);
-  if (set.weighted)
-    regular_.emplace(static_cast<int>(set.dimension), options);
+  Options of_batches = options;
+  of_batches.progress = nullptr;
+  of_batches.memory_limit = 0;
+  of_batches.time_limit = 0;
+  limits.guard([&] { construct(of_batches); });
+}
+
+void GhostTriangulation::construct(const Options& options) {
+  if (set_.weighted)
+    regular_.emplace(static_cast<int>(set_.dimension), options);
   else
-    delaunay_.emplace(static_cast<int>(set.dimension), options);
-  if (set.num_points() == 0) return;
+    delaunay_.emplace(static_cast<int>(set_.dimension), options);
+  if (set_.num_points() == 0) return;
   begin();
-  while (set.rank > 0) {
+  while (set_.rank > 0) {
     ++effort_.num_rounds;
     found_.clear();
     const internal::Stopwatch asking;

@@ -61,6 +61,7 @@ class GhostTriangulation {
     CellId cell;
   };
 
+  void construct(const Options& options);
   void begin();
   void ask();
   void insert_found();

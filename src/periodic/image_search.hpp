@@ -8,8 +8,14 @@
 // that is λ²|a|² + Σ t(2λ|b_i| − t), where a free direction with λ|b_i| ≤ t adds λ²b_i² instead. So a huge
 // ball that only just reaches the set is no reason to look far. Fractions of what it has are within that
 // times |g_i| of those of c. All of this is rounded, and widened by much more than its errors.
+//
+// In a box of few points these are (2R)^r copies, and the ball is a small part of them. So translations are
+// chosen from the last to the first, in orthonormal directions e_i of which a_j has no part for j < i: once
+// k_i … are chosen, so is the distance of c from the points of the copy along e_i …, and where it exceeds the
+// radius, no choice of the others will do (Fincke and Pohst 1985, doi:10.1090/S0025-5718-1985-0777278-8).
 #pragma once
 
+#include "base/progress_meter.hpp"
 #include "periodic/images.hpp"
 
 #include <algorithm>
@@ -43,9 +49,16 @@ class ImageSearch {
         k_(set_.rank),
         low_(set_.rank),
         high_(set_.rank),
+        steps_(set_.rank * set_.rank),
+        of_p_(set_.rank),
+        of_step_(set_.rank),
+        at_(set_.rank),
         beyond_(images.num_free_directions()),
         depth_(images.num_free_directions()) {
     question_.set_largest_weight(images.weight_range());
+    for (std::size_t i = 0; i < set_.rank; ++i)
+      for (std::size_t j = 0; j < set_.rank; ++j) steps_[i * set_.rank + j] = along(i, set_.period.vector(j));
+    for (const double largest : set_.largest) size_ += largest;
   }
 
   /// For a cell of this center, correctly rounded, and a vertex p of it that is a point of the set.
@@ -59,11 +72,11 @@ class ImageSearch {
     tiles::Answer best;
     for (;; part = std::min(1.0, 2 * part)) {
       find_range(part);
-      k_ = low_;
-      do {
-        if (std::all_of(k_.begin(), k_.end(), [](std::int32_t one) { return one == 0; })) continue;
+      for (std::size_t i = 0; i < set_.rank; ++i) at_[i] = of_p_[i] + part * of_step_[i];
+      each_shift(set_.rank, 0, [&] {
+        if (std::all_of(k_.begin(), k_.end(), [](std::int32_t one) { return one == 0; })) return;
         ask(p, center, is_in_conflict, best, found);
-      } while (next_in_range(k_, low_, high_));
+      });
       if (found.is_open || part == 1) return found;
     }
   }
@@ -71,6 +84,33 @@ class ImageSearch {
   std::uint64_t num_pages() const { return search_.num_visited; }
 
  private:
+  double along(std::size_t i, const double* x) const {
+    double sum = 0;
+    for (std::size_t j = 0; j < set_.dimension; ++j) sum += images_.lattice_direction(i)[j] * x[j];
+    return sum;
+  }
+
+  /// Calls visit() with all k_ in the range whose copies may have points in the ball; those from `chosen` on
+  /// are chosen, and have copies at this squared distance at least.
+  template <class Visit>
+  void each_shift(std::size_t chosen, double squared, const Visit& visit) {
+    if (chosen == 0) {
+      visit();
+      return;
+    }
+    const std::size_t i = chosen - 1;
+    for (k_[i] = low_[i]; k_[i] <= high_[i]; ++k_[i]) {
+      internal::cancellation_point();
+      double at = at_[i];
+      for (std::size_t j = i; j < set_.rank; ++j) at -= k_[j] * steps_[i * set_.rank + j];
+      const double apart =
+          std::max({images_.lattice_low(i) - at, at - images_.lattice_high(i), 0.0}) - slack_of_distance_;
+      const double sum = squared + (apart > 0 ? apart * apart : 0.0);
+      if (sum > squared_radius_) continue;
+      each_shift(i, sum, visit);
+    }
+  }
+
   /// What find_range() needs of p and c.
   void measure(const double* p, const double* c) {
     const std::size_t d = set_.dimension;
@@ -79,7 +119,16 @@ class ImageSearch {
     along_ = 0;
     for (std::size_t j = 0; j < d; ++j) squared += (c[j] - p[j]) * (c[j] - p[j]);
     radius_ = std::sqrt(squared);
-    double along_slack = 0, lateral = 0;
+    double along_slack = 0, lateral = 0, magnitude_of_c = size_;
+    for (std::size_t j = 0; j < d; ++j) {
+      moved_c_[j] = c[j] - p[j];
+      magnitude_of_c += std::abs(c[j]);
+    }
+    slack_of_distance_ = 0x1p-40 * magnitude_of_c;
+    for (std::size_t i = 0; i < set_.rank; ++i) {
+      of_p_[i] = along(i, p);
+      of_step_[i] = along(i, moved_c_.data());
+    }
     for (std::size_t i = 0; i < set_.rank; ++i) {
       double step = 0, magnitude = 0;
       for (std::size_t j = 0; j < d; ++j) {
@@ -123,6 +172,7 @@ class ImageSearch {
       squared += b <= t ? b * b : t * (2 * b - t);
     }
     const double radius = std::sqrt(squared) * (1 + 0x1p-30);
+    squared_radius_ = radius * radius;
     for (std::size_t i = 0; i < set_.rank; ++i) {
       const int reach = set_.period.reach(i);
       const double middle = fraction_of_p_[i] + part * step_[i],
@@ -166,8 +216,9 @@ class ImageSearch {
   std::vector<double> moved_p_, moved_c_, image_;
   std::vector<double> fraction_of_p_, step_, slack_;  // of c − p, by the axes of the lattice
   std::vector<std::int32_t> k_, low_, high_;
-  std::vector<double> beyond_, depth_;  // |b_i| and t, by free directions
-  double radius_ = 0, along_ = 0, gain_ = 0;
+  std::vector<double> steps_, of_p_, of_step_, at_;  // a_j, p, c − p and the center along e_i
+  std::vector<double> beyond_, depth_;               // |b_i| and t, by free directions
+  double radius_ = 0, along_ = 0, gain_ = 0, squared_radius_ = 0, slack_of_distance_ = 0, size_ = 0;
 };
 
 }  // namespace delone::periodic

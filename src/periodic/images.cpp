@@ -31,7 +31,7 @@ Images::Images(const PeriodicSet& set) : set_(set) {
   known_above_ = known_below_;
   make_pages();
   shift_number(std::vector<std::int32_t>(set_.rank, 0));
-  find_free_directions();
+  find_directions();
 }
 
 void Images::make_pages() {
@@ -65,7 +65,7 @@ void Images::make_pages() {
   tree_ = std::make_unique<tiles::PageTree>(table_);
 }
 
-void Images::find_free_directions() {
+void Images::find_directions() {
   const std::size_t d = set_.dimension, n = set_.num_points();
   std::vector<double> basis;  // orthonormal
   const auto add = [&](std::vector<double> x) {
@@ -98,6 +98,17 @@ void Images::find_free_directions() {
     add(std::move(axis));
   }
   free_.assign(basis.begin() + static_cast<std::ptrdiff_t>(set_.rank * d), basis.end());
+  along_.assign(basis.begin(), basis.begin() + static_cast<std::ptrdiff_t>(set_.rank * d));
+  for (std::size_t i = 0; i < set_.rank; ++i) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (std::size_t row = 0; row < n; ++row) {
+      const double at = dot(lattice_direction(i), set_.row(row), d);
+      low = std::min(low, at);
+      high = std::max(high, at);
+    }
+    along_low_.push_back(low);
+    along_high_.push_back(high);
+  }
   double size = 0;
   for (const double largest : set_.largest) size += largest;
   for (std::size_t i = 0; i < d - set_.rank; ++i) {

@@ -77,6 +77,12 @@ class Images {
   /// What fractions of points of the set are off by at most.
   double fraction_slack(std::size_t i) const { return fraction_slack_[i]; }
 
+  /// Orthonormal directions that span the lattice, nearly: direction i that of a_0 … a_i, and zero where they
+  /// are too flat for it. And the range of the points of the set along each.
+  const double* lattice_direction(std::size_t i) const { return along_.data() + i * set_.dimension; }
+  double lattice_low(std::size_t i) const { return along_low_[i]; }
+  double lattice_high(std::size_t i) const { return along_high_[i]; }
+
   /// Orthonormal directions that are orthogonal to the lattice, nearly, and the range of the points of the
   /// set along each, or a little more.
   std::size_t num_free_directions() const { return low_.size(); }
@@ -92,7 +98,7 @@ class Images {
   };
 
   void make_pages();
-  void find_free_directions();
+  void find_directions();
   void take_layer_of(std::size_t page, double width, std::vector<Image>& images);
 
   const PeriodicSet& set_;
@@ -103,6 +109,7 @@ class Images {
   std::vector<std::unique_ptr<Shift>> shifts_;
   std::unordered_map<std::uint64_t, std::uint32_t> number_of_code_;
   std::vector<double> known_below_, known_above_, fraction_slack_;
+  std::vector<double> along_, along_low_, along_high_;
   std::vector<double> free_, low_, high_;
   std::vector<std::uint32_t> extreme_;  // rows: a heaviest one, and two for each free direction
 };

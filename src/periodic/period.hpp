@@ -51,6 +51,11 @@ class Period {
   /// The largest integer that is not above f_i(x). Exact.
   kernel::Integer floor_of_fraction(std::size_t i, const double* x) const;
 
+  /// Moves x into the box, where all fractions are in [0, 1), and adds to `wraps` how many of each vector it
+  /// has subtracted. Exact for a vector on the grid of 2^grid, but for rounding coordinates to 53 bits.
+  /// Returns false if it is more than 2^29 periods away, or where rounding does not tell.
+  bool wrap(int grid, double* x, std::int32_t* wraps) const;
+
   /// Adds Σ k_i a_i. Exact if all sums are: points on the grid with fractions that the reach bounds.
   void translate(std::span<const std::int32_t> k, double* x) const {
     for (std::size_t i = 0; i < rank_; ++i) {
@@ -60,6 +65,8 @@ class Period {
   }
 
  private:
+  void subtract(std::span<const std::int32_t> step, bool is_near, int grid, double* x) const;
+
   std::size_t rank_ = 0, dimension_ = 0;
   std::vector<double> vectors_, gradients_, lengths_;
   std::vector<int> reaches_;

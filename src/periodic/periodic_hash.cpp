@@ -6,8 +6,8 @@
 #include "complex/canonical_hash.hpp"
 #include "kernel/fractions.hpp"
 #include "kernel/grid.hpp"
+#include "periodic/cell_classes.hpp"
 #include "periodic/lattice_reduction.hpp"
-#include "periodic/quotient.hpp"
 #include "triangulation/stored_points.hpp"
 
 #include <algorithm>

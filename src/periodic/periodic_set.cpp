@@ -17,8 +17,6 @@ namespace {
 
 using kernel::Integer;
 
-/// Points farther away, in periods, are refused, so that offsets have 32 bits.
-constexpr double most_periods = 0x1p29;
 /// The largest coefficient of a short vector in terms of the given ones.
 constexpr int most_of_sums = 1 << 29;
 
@@ -76,7 +74,7 @@ class SetMaker {
     internal::require_finite(input_.weights, 1, "the weight");
     internal::require_finite(input_.lattice, d_, "a coordinate", "lattice vector");
     if (!(input_.unit >= 0 && std::isfinite(input_.unit)))
-      refuse("the unit must be a positive number, or 0 for none");
+      refuse("the unit must be a finite number above 0, or 0 for none");
   }
 
   void require_independent(std::span<const Integer> rows) const {
@@ -84,7 +82,10 @@ class SetMaker {
       if (std::all_of(rows.begin() + static_cast<std::ptrdiff_t>(i * d_),
                       rows.begin() + static_cast<std::ptrdiff_t>((i + 1) * d_),
                       [](const Integer& x) { return x == 0; }))
-        refuse("lattice vector " + std::to_string(i) + " is zero", {i});
+        refuse("lattice vector " + std::to_string(i) +
+                   (input_.unit > 0 ? " is zero when rounded to multiples of the unit, which is too large"
+                                    : " is zero"),
+               {i});
     if (r_ > 0 && kernel::exact_determinant(gram_matrix(rows, r_), r_) == 0)
       refuse("the lattice is singular: its vectors are linearly dependent");
   }
@@ -107,8 +108,7 @@ class SetMaker {
   void choose_grid(const Period& period, int exponent) {
     double codes = 1;
     for (std::size_t i = 0; i < r_; ++i) codes *= 2.0 * period.reach(i) + 1;
-    if (codes > 0x1p62)
-      throw Error(Errc::unsupported, "lattices of so many dimensions, or so flat, are not supported");
+    if (codes > 0x1p62) refuse("the lattice has too many dimensions, or is too flat");
     set_.largest.assign(d_, 0.0);
     for (std::size_t i = 0; i < r_; ++i)
       for (std::size_t j = 0; j < d_; ++j)
@@ -138,6 +138,7 @@ class SetMaker {
     constexpr int moderate = 100;
     if (input_.unit == 0 && std::abs(e) > moderate) set_.scale = e;
     for (double& x : set_.largest) x = std::ldexp(x, exponent - set_.scale);
+    set_.query_grid = e - 53 - set_.scale;
   }
 
   /// The nearest multiple of u, in the numbers of the set.
@@ -157,8 +158,7 @@ class SetMaker {
       for (std::size_t l = 0; l < r_; ++l) {
         const Integer& factor = sums_[i * r_ + l];
         if (factor > most_of_sums || factor < -most_of_sums)
-          throw Error(Errc::unsupported,
-                      "the lattice vectors are too skewed: beyond 2^29 of the shortest ones");
+          refuse("the lattice vectors are too skewed: beyond 2^29 of the shortest ones");
         set_.sums.push_back(static_cast<std::int64_t>(factor));
         for (std::size_t j = 0; j < d_; ++j) reduced[i * d_ + j] += factor * rows.entries[l * d_ + j];
       }
@@ -166,8 +166,7 @@ class SetMaker {
       refuse("the lattice is singular on the grid of its coordinates");
     set_.period = Period(nearest_doubles(reduced, rows.grid), r_, d_);
     if (input_.is_exact && set_.displacement > 0)
-      refuse("the lattice is not on the grid of 2^" + std::to_string(grid_) +
-             ", and exact input was required");
+      refuse("the lattice is not on the grid of " + step_of_grid() + ", and exact input was required");
   }
 
   void wrap_points() {
@@ -185,7 +184,8 @@ class SetMaker {
       if (set_.displacement > 0) displaced.push_back(row);
       set_.displacement = std::max(set_.displacement, before);
       std::int32_t* const wraps = set_.wraps.data() + row * r_;
-      wrap(row, x, wraps);
+      if (!set_.period.wrap(grid_ - set_.scale, x.data(), wraps))
+        refuse("point " + std::to_string(row) + " is more than 2^29 periods away", {row});
       if (std::any_of(wraps, wraps + r_, [](std::int32_t k) { return k != 0; })) outside.push_back(row);
       for (const double coordinate : x) set_.rows.push_back(coordinate + 0.0);
       if (set_.weighted) set_.rows.push_back(weight(row));
@@ -195,10 +195,12 @@ class SetMaker {
                  internal::and_of_more(outside),
              outside);
     if (input_.is_exact && !displaced.empty())
-      refuse("point " + std::to_string(displaced.front()) + " is not on the grid of 2^" +
-                 std::to_string(grid_) + ", and exact input was required" + internal::and_of_more(displaced),
+      refuse("point " + std::to_string(displaced.front()) + " is not on the grid of " + step_of_grid() +
+                 ", and exact input was required" + internal::and_of_more(displaced),
              displaced);
   }
+
+  std::string step_of_grid() const { return input_.unit > 0 ? "the unit" : "2^" + std::to_string(grid_); }
 
   double weight(std::size_t row) const {
     const double w = input_.weights[row];
@@ -206,47 +208,6 @@ class SetMaker {
     if (!std::isfinite(scaled))
       refuse("the weight of point " + std::to_string(row) + " is too large for the box", {row});
     return scaled + 0.0;
-  }
-
-  /// Moves x into the box, exactly.
-  void wrap(std::size_t row, std::vector<double>& x, std::int32_t* wraps) const {
-    const Period& period = set_.period;
-    std::vector<std::int32_t> step(r_);
-    for (bool is_near = false; !is_near;) {
-      is_near = true;
-      for (std::size_t i = 0; i < r_; ++i) {
-        const double periods = std::floor(period.fraction(i, x.data()));
-        if (!(std::abs(periods + wraps[i]) < most_periods))
-          refuse("point " + std::to_string(row) + " is more than 2^29 periods away", {row});
-        step[i] = static_cast<std::int32_t>(periods);
-        is_near = is_near && std::abs(step[i]) <= period.reach(i);
-      }
-      subtract(step, is_near, x);
-      for (std::size_t i = 0; i < r_; ++i) wraps[i] += step[i];
-    }
-    for (std::size_t i = 0; i < r_; ++i) {
-      const double fraction = period.fraction(i, x.data()), slack = period.fraction_slack(i, x.data());
-      if (fraction > slack && fraction < 1 - slack) continue;
-      step.assign(r_, 0);
-      step[i] = static_cast<std::int32_t>(period.floor_of_fraction(i, x.data()));
-      subtract(step, true, x);
-      wraps[i] += step[i];
-    }
-  }
-
-  /// Far from the box the difference is made in integers.
-  void subtract(std::span<const std::int32_t> step, bool is_near, std::vector<double>& x) const {
-    for (std::size_t j = 0; j < d_; ++j) {
-      if (is_near) {
-        for (std::size_t i = 0; i < r_; ++i) x[j] -= step[i] * set_.period.vector(i)[j];
-        continue;
-      }
-      const int grid = grid_ - set_.scale;
-      Integer sum = kernel::scaled_integer(x[j], grid);
-      for (std::size_t i = 0; i < r_; ++i)
-        sum -= step[i] * kernel::scaled_integer(set_.period.vector(i)[j], grid);
-      x[j] = kernel::nearest_double(sum, 1, grid);
-    }
   }
 
   const SetInput& input_;
@@ -276,6 +237,17 @@ std::vector<double> PeriodicSet::given_points(std::span<const double> given) con
     points.push_back(unit > 0 ? std::nearbyint(x / unit) * unit
                               : std::ldexp(std::nearbyint(std::ldexp(x, -grid)), grid));
   return points;
+}
+
+double PeriodicSet::snapped_query(double x) const {
+  double y = std::ldexp(x, -scale);
+  if (unit > 0) {
+    const double multiple = std::nearbyint(x / unit);
+    if (std::abs(x - multiple * unit) <= 0x1p-51 * std::abs(x)) return multiple;
+    y = x / unit;
+  }
+  const double steps = std::ldexp(y, -query_grid);
+  return std::abs(steps) < 0x1p53 ? std::ldexp(std::nearbyint(steps), query_grid) : y;
 }
 
 PeriodicSet make_periodic_set(const SetInput& input) { return SetMaker(input).make(); }

@@ -43,7 +43,8 @@ struct PeriodicSet {
   std::vector<double> largest;      ///< d, bounds of |coordinates| of all images that are looked at
   double displacement = 0;          ///< the most that a coordinate has moved, in numbers of the caller
   int scale = 0;
-  int grid = 0;  ///< given numbers, or numbers of units, are rounded to multiples of 2^grid
+  int grid = 0;        ///< given numbers, or numbers of units, are rounded to multiples of 2^grid
+  int query_grid = 0;  ///< queries, in numbers of the set, are rounded to multiples of 2^query_grid
   double unit = 0;
 
   std::size_t row_size() const { return dimension + (weighted ? 1 : 0); }
@@ -52,6 +53,9 @@ struct PeriodicSet {
   /// A coordinate or length as a number of the caller, and back.
   double outer(double x) const { return unit > 0 ? x * unit : std::ldexp(x, scale); }
   double inner(double x) const { return unit > 0 ? x / unit : std::ldexp(x, -scale); }
+  /// A coordinate of a query, as a number of the set on a grid on which its translates in the box are exact.
+  /// Of a set with a unit that is finer than the unit. Beyond 2^53 of its steps: as it is.
+  double snapped_query(double x) const;
   /// The points, n×d, where they were given, on the grid, in numbers of the caller.
   std::vector<double> given_points(std::span<const double> given) const;
   /// Σ k_i a_i in terms of the caller's vectors, |k_i| < 2^32. Throws Errc::unsupported beyond 32 bits.
@@ -59,7 +63,8 @@ struct PeriodicSet {
 };
 
 /// Throws Errc::not_finite; bad_dimension for lattice vectors without d numbers and a wrong number of
-/// weights; invalid_argument for dependent lattice vectors, and for what the options refuse; unsupported.
+/// weights; invalid_argument for dependent, too flat or too skewed lattice vectors, and for what the options
+/// refuse.
 PeriodicSet make_periodic_set(const SetInput& input);
 
 }  // namespace delone::periodic

@@ -30,15 +30,25 @@ Lattice Lattice::box(std::span<const double> lengths, std::span<const int> axes)
     const auto j = static_cast<std::size_t>(axis);
     if (seen[j]) throw Error(Errc::invalid_argument, "axis " + std::to_string(axis) + " is given twice");
     seen[j] = true;
+    if (lengths[j] < 0)
+      throw Error(Errc::invalid_argument, "length " + std::to_string(axis) + " of the box is negative");
     lattice.vectors.resize(lattice.vectors.size() + lengths.size(), 0.0);
     lattice.vectors[lattice.vectors.size() - lengths.size() + j] = lengths[j];
   }
   return lattice;
 }
 
-const periodic::Quotient& PeriodicTriangulation::Impl::quotient() const {
+const periodic::CellClasses& PeriodicTriangulation::Impl::classes() const {
   const std::lock_guard lock(mutex_);
-  if (!quotient_) quotient_ = internal::guarded("the cells", [&] { return make_quotient(ghosts, set); });
+  if (!classes_) internal::guarded("the cells", [&] { classes_.emplace(ghosts, set); });
+  return *classes_;
+}
+
+const periodic::Quotient& PeriodicTriangulation::Impl::quotient() const {
+  const periodic::CellClasses& of_cells = classes();
+  const std::lock_guard lock(mutex_);
+  if (!quotient_)
+    quotient_ = internal::guarded("the cells", [&] { return make_quotient(ghosts, set, of_cells); });
   return *quotient_;
 }
 

@@ -27,11 +27,13 @@ struct delone::PeriodicTriangulation::Impl {
   std::size_t num_vertices = 0, num_hidden = 0;
 
   void describe_points(std::span<const double> given, std::span<const double> given_weights);
+  const periodic::CellClasses& classes() const;
   const periodic::Quotient& quotient() const;
   bool is_simplicial() const;
 
  private:
   mutable std::mutex mutex_;
+  mutable std::optional<periodic::CellClasses> classes_;
   mutable std::optional<periodic::Quotient> quotient_;
   mutable std::optional<bool> is_simplicial_;
 };

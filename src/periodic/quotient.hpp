@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The cells of a periodic triangulation, one of each class of translates: the one whose lexicographically
-// smallest vertex is a point of the set in the box. A translation keeps the order of points, so there is
-// exactly one.
+// The cells of a periodic triangulation and their neighbors as arrays.
 #pragma once
 
-#include "periodic/ghost_triangulation.hpp"
+#include "periodic/cell_classes.hpp"
 
 #include <delone/types.hpp>
 
@@ -22,15 +20,7 @@ struct Quotient {
   std::vector<std::int32_t> neighbor_offsets;
 };
 
-/// The cell of a triangulation with ghosts that stands for each class, by its slot; −1 for others.
-struct CanonicalCells {
-  std::vector<SignedIndex> number_of_slot;
-  std::vector<CellId> cells;
-  std::vector<VertexId> smallest;  ///< the vertex of each cell
-};
-CanonicalCells find_canonical_cells(const GhostTriangulation& ghosts);
-
-Quotient make_quotient(const GhostTriangulation& ghosts, const PeriodicSet& set);
+Quotient make_quotient(const GhostTriangulation& ghosts, const PeriodicSet& set, const CellClasses& classes);
 
 /// Whether no two edges have the same two ends and none has twice the same: then cells are told by their
 /// rows.

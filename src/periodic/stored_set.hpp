@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The set of a periodic triangulation and its triangulation with ghosts, which its members do not give.
+// What a periodic triangulation is made of, which its members do not give.
 #pragma once
 
 #include "periodic/periodic_triangulation_impl.hpp"
@@ -15,6 +15,8 @@ class StoredSet : private PeriodicTriangulation {
  public:
   static const PeriodicSet& set(const PeriodicTriangulation& t) { return impl_of(t).set; }
   static const GhostTriangulation& ghosts(const PeriodicTriangulation& t) { return impl_of(t).ghosts; }
+  /// Made on first use.
+  static const CellClasses& classes(const PeriodicTriangulation& t) { return impl_of(t).classes(); }
 };
 
 }  // namespace delone::periodic

@@ -63,6 +63,8 @@ class NaturalSearch {
   std::vector<double> gradients;
   /// Whether binary64 did not settle the last search, and integers did.
   bool was_exact = false;
+  /// The cells in conflict with the point of the last search.
+  std::span<const CellId> zone() const { return zone_; }
 
  private:
   bool collect(const std::vector<CellId>& zone);

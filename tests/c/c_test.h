@@ -42,6 +42,7 @@ void files_test(void);
 void hulls_test(void);
 void memory_test(void);
 void objects_test(void);
+void periodic_test(void);
 void queries_test(void);
 
 #endif

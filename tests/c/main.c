@@ -72,9 +72,9 @@ int main(int argc, char** argv) {
   static const struct {
     const char* name;
     void (*run)(void);
-  } tests[] = {{"arithmetic", arithmetic_test}, {"errors", errors_test}, {"files", files_test},
-               {"hulls", hulls_test},           {"memory", memory_test}, {"objects", objects_test},
-               {"queries", queries_test}};
+  } tests[] = {{"arithmetic", arithmetic_test}, {"errors", errors_test},  {"files", files_test},
+               {"hulls", hulls_test},           {"memory", memory_test},  {"objects", objects_test},
+               {"periodic", periodic_test},     {"queries", queries_test}};
   size_t i;
   for (i = 0; i < sizeof tests / sizeof *tests; ++i)
     if (argc == 2 && strcmp(argv[1], tests[i].name) == 0) {

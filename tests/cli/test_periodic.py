@@ -47,9 +47,30 @@ class Periodic(Case):
 
     def test_refusals(self):
         points = self.file("points.npy", POINTS)
-        for arguments, status in ((["--lattice", "1,1"], 64), (["--lattice", "0,1,1"], 2), (["--lattice", "1", "-o", self.path("t.vtu")], 2),
-                                  (["--lattice", "1", "--trim", "0.1"], 64), (["--periodic", "x"], 64), (["--lattice", "none.csv"], 2)):
+        for arguments, status in ((["--lattice", "1,1"], 64), (["--lattice", "0,1,1"], 64), (["--lattice", "1,-1,1"], 64), (["--lattice", "1", "-o", self.path("t.vtu")], 2),
+                                  (["--lattice", "1", "--trim", "0.1"], 64), (["--periodic", "x"], 64), (["--lattice", "none.csv"], 2),
+                                  (["--lattice", "none"], 2), (["--lattice", "1", "--periodic", ""], 64), (["--lattice", "1", "--unit", "inf"], 64),
+                                  (["--lattice", "1", "--unit", "-1"], 64), (["--lattice", "1", "--unit", "1e30"], 2)):
             self.complaint("delaunay", points, *arguments, status=status)
+        for arguments, words, status in ((["--lattice", "none"], "--lattice none", 2),
+                                         (["--lattice", "1", "--unit", "inf"], "--unit inf: a finite length above 0", 64),
+                                         (["--lattice", "1", "--unit", "1e30"], "the unit, which is too large", 2),
+                                         (["--lattice", "1", "--unit", "0.3", "--exact"], "the grid of the unit", 2)):
+            self.assertIn(words, self.complaint("delaunay", points, *arguments, status=status))
+        self.complaint("cells", points, "--lattice", "1", "--neighbors", "-o", self.path("cells.csv"), status=64)
+
+    def test_neighbor_offsets_outside_are_zero(self):
+        path = self.path("slab.npz")
+        self.output("delaunay", self.file("points.npy", POINTS), "--lattice", "1", "--periodic", "xy", "-o", path)
+        with np.load(path) as arrays:
+            damaged = dict(arrays)
+        damaged["neighbor_offsets"][damaged["neighbors"] < 0] = 7
+        np.savez(path, **damaged)
+        self.run_delone("check", path, status=1)
+
+    def test_time_limits_end_questions(self):
+        one = self.file("one.npy", POINTS[:1].repeat(3, axis=0).reshape(1, -1)[:, :7])
+        self.complaint("delaunay", one, "--lattice", "1", "--time", "0.2", status=3)
 
 
 if __name__ == "__main__":

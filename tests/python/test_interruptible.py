@@ -31,6 +31,9 @@ QUICK = {
     "delone._core.PeriodicTriangulation": "__len__ __repr__ affine_dimension dimension displacement lattice num_cells num_duplicates num_ghosts num_hidden "
                                           "num_points num_vertices point_offsets points rank statistics vertex_of_point",
     "delone.PeriodicRegular": "weights",
+    "delone.PeriodicFaces": "__init__ __len__ __repr__",
+    "delone.PeriodicLinearInterpolator": "__getstate__ __repr__ triangulation values",
+    "delone.PeriodicNaturalNeighborInterpolator": "__getstate__ __repr__ triangulation values",
     "delone.PolyhedraVertices": "__getitem__ __init__ __iter__ __len__ __repr__",
     "delone.Polyhedron": "__repr__ affine_dimension dimension empty facets_of_ray facets_of_vertex is_bounded is_empty num_equations num_inequalities "
                          "num_lines num_rays num_vertices rays_of_facet redundant_rows row_kinds space vertices_of_facet",
@@ -176,6 +179,19 @@ LONG = {
     "delone.PeriodicRegular.__init__": ("", "delone.PeriodicRegular(random.random((200_000, 3)), random.random(200_000) * 1e-5, 1.0)", "__getstate__"),
     "delone._core.PeriodicTriangulation.cells": ("t = delone.PeriodicDelaunay(random.random((300_000, 3)), 1.0)", "t.cells",
                                                  "cell_offsets neighbors neighbor_offsets is_simplicial save to_data"),
+    "delone._core.PeriodicTriangulation.faces": ("t = delone.PeriodicDelaunay(random.random((20_000, 4)), 1.0)", "t.faces(1)", "alpha_values"),
+    "delone._core.PeriodicTriangulation.find_simplex": ("t = delone.PeriodicDelaunay(random.random((300, 4)), 1.0)",
+                                                        "t.find_simplex(random.random((3_000_000, 4)))", "locate barycentric nearest"),
+    "delone.PeriodicLinearInterpolator.__init__": ("t = delone.PeriodicDelaunay(random.random((300_000, 3)), 1.0); z = random.random(300_000)",
+                                                   "delone.PeriodicLinearInterpolator(t, z)"),
+    "delone.PeriodicLinearInterpolator.__call__": ("t = delone.PeriodicDelaunay(random.random((300, 4)), 1.0); "
+                                                   "f = delone.PeriodicLinearInterpolator(t, random.random(300))",
+                                                   "f(random.random((3_000_000, 4)))", "gradient"),
+    "delone.PeriodicNaturalNeighborInterpolator.__init__": ("t = delone.PeriodicDelaunay(random.random((300_000, 3)), 1.0); z = random.random(300_000)",
+                                                            "delone.PeriodicNaturalNeighborInterpolator(t, z)"),
+    "delone.PeriodicNaturalNeighborInterpolator.__call__": ("t = delone.PeriodicDelaunay(random.random((3000, 3)), 1.0); "
+                                                            "f = delone.PeriodicNaturalNeighborInterpolator(t, random.random(3000))",
+                                                            "f(random.random((300_000, 3)))", "natural_neighbors"),
     "delone._core.PeriodicTriangulation.hash": ("t = delone.PeriodicDelaunay(random.random((300_000, 3)), 1.0)", "t.hash"),
     "delone.HalfspaceIntersection.to_polyhedron": ("made = delone.HalfspaceIntersection(np.c_[sphere(90, 9), -np.ones(90)])", "made.to_polyhedron()"),
     "delone.ConvexHull.to_polyhedron": ("made = delone.ConvexHull(sphere(90, 9))", "made.to_polyhedron()"),

@@ -150,3 +150,133 @@ def test_check_takes_the_object():
 def test_a_unit_is_a_number():
     with pytest.raises(TypeError, match="unit"):
         delone.PeriodicDelaunay([[0.1, 0.2]], 1.0, unit="a")
+
+
+def image(t, rows, offsets):
+    return t.points[rows] + offsets @ t.lattice
+
+
+queries = np.random.default_rng(7).random((300, 3)) * 6 - 3
+
+
+@pytest.mark.parametrize("lattice, axes", [(1.0, None), (vectors, None), ([1, 1, 1], [0, 1]), ([1, 1, 1], [2])])
+def test_location(lattice, axes):
+    t = delone.PeriodicDelaunay(points, lattice, axes)
+    cells, offsets, weights = t.barycentric(queries)
+    inside = cells >= 0
+    assert inside.all() == (t.rank == 3) and inside.any()
+    corners = t.points[t.cells[cells]] + (t.cell_offsets[cells] + offsets[:, None]) @ t.lattice
+    np.testing.assert_allclose((weights[:, :, None] * corners).sum(axis=1)[inside], queries[inside], atol=1e-9)
+    assert np.isnan(weights[~inside]).all() and (offsets[~inside] == 0).all()
+    again, shifts = t.find_simplex(queries.reshape(30, 10, 3))
+    np.testing.assert_array_equal(again.ravel(), cells)
+    np.testing.assert_array_equal(shifts.reshape(-1, t.rank), offsets)
+    places = t.locate(points + [0, 0, 0])
+    assert [place[0] for place in places] == ["on_vertex"] * 200
+    np.testing.assert_array_equal(places.face_rows, np.arange(200))
+    assert (places.face_lattice == 0).all() and places.offset.shape == (200, t.rank)
+    cell, offset = t.find_simplex(queries[0])
+    assert (int(cell), offset.tolist()) == (cells[0], offsets[0].tolist())
+
+
+def test_nearest_is_the_minimum_image():
+    t = delone.PeriodicDelaunay(points, 1.0)
+    rows, offsets, distances = t.nearest(queries)
+    apart = queries[:, None] - points
+    apart -= np.round(apart)
+    lengths = np.linalg.norm(apart, axis=2)
+    np.testing.assert_array_equal(rows, lengths.argmin(axis=1))
+    np.testing.assert_allclose(distances, lengths.min(axis=1), rtol=1e-12)
+    np.testing.assert_allclose(np.linalg.norm(queries - image(t, rows, offsets), axis=1), distances, rtol=1e-12)
+    weights = np.random.default_rng(8).random(200) * 0.01
+    power = delone.PeriodicRegular(points, weights, 1.0)
+    rows, _, powers = power.nearest(queries)
+    np.testing.assert_allclose(powers, (lengths**2 - weights).min(axis=1), rtol=1e-9, atol=1e-12)
+
+
+@pytest.mark.parametrize("kind", [delone.PeriodicLinearInterpolator, delone.PeriodicNaturalNeighborInterpolator])
+def test_interpolation(kind):
+    t = delone.PeriodicDelaunay(points, vectors)
+    values = np.random.default_rng(9).random((200, 2)) + 1j
+    f = kind(t, values)
+    np.testing.assert_array_equal(f(points), values)
+    assert f.triangulation is t and f(queries).shape == (300, 2)
+    np.testing.assert_allclose(f(queries), f(queries + 2 * vectors[0] - vectors[2]), atol=1e-9)
+    np.testing.assert_allclose(pickle.loads(pickle.dumps(f))(queries), f(queries), rtol=1e-12)
+    np.testing.assert_allclose(kind(t, values[:, 0].imag)(queries), 1, atol=1e-9)
+    for wrong in (values[1:], 3.0):
+        with pytest.raises(ValueError):
+            kind(t, wrong)
+    with pytest.raises(TypeError):
+        kind(delone.Delaunay(points), values)
+    slab = kind(delone.PeriodicDelaunay(points, [1, 1, 1], [0, 1]), values.real)
+    assert np.isnan(slab([0, 0, 9])).all()
+    with pytest.raises(delone.InputError):
+        kind(slab.triangulation, values.real, outside="error")([0, 0, 9])
+    nearest = slab.triangulation.nearest([0, 0, 9])[0]
+    np.testing.assert_array_equal(kind(slab.triangulation, values.real, outside="nearest")([0, 0, 9]), values.real[nearest])
+    assert (kind(slab.triangulation, values.real, fill_value=7)([0, 0, 9]) == 7).all()
+
+
+def test_gradients_and_natural_neighbors():
+    t = delone.PeriodicDelaunay(points, vectors)
+    z = np.random.default_rng(9).random(200)
+    f = delone.PeriodicLinearInterpolator(t, z)
+    step = 1e-9 * np.eye(3)[0]
+    np.testing.assert_allclose((f(queries + step) - f(queries - step)) / 2e-9, f.gradient(queries)[:, 0], atol=1e-4)
+    g = delone.PeriodicNaturalNeighborInterpolator(t, z)
+    indptr, rows, offsets, weights = g.natural_neighbors(queries)
+    sums = np.add.reduceat(weights[:, None] * image(t, rows, offsets), indptr[:-1])
+    np.testing.assert_allclose(sums, queries, atol=1e-8)
+    np.testing.assert_allclose(np.add.reduceat(weights * z[rows], indptr[:-1]), g(queries), atol=1e-9)
+
+
+def test_units_of_queries():
+    steps = np.stack(np.meshgrid(*[np.arange(5) * 0.1] * 3), axis=-1).reshape(-1, 3)
+    t = delone.PeriodicDelaunay(steps, 0.5, unit=0.1)
+    assert (t.locate(steps).kind == 2).all()
+    assert float(t.nearest([0.51, 0.0, 0.0])[2]) == pytest.approx(0.01)
+
+
+def test_refused_queries():
+    t = delone.PeriodicDelaunay(points, 1.0)
+    for wrong in ([[0, 0, np.nan]], [[0, 0, 1e300]]):
+        for ask in (t.find_simplex, t.locate, t.barycentric, t.nearest):
+            with pytest.raises(delone.InputError) as error:
+                ask(wrong)
+            assert error.value.rows == [0]
+    with pytest.raises(ValueError):
+        t.nearest([0, 0])
+
+
+def test_what_is_refused_says_why():
+    for lattice, words in ((-1, "lengths above 0"), ([1, -1, 1], "lengths above 0"), (object(), "an object"), ({}, "a dict")):
+        with pytest.raises(ValueError, match=words):
+            delone.PeriodicDelaunay(points, lattice)
+    with pytest.raises(delone.InputError, match="too skewed"):
+        delone.PeriodicDelaunay(points, [[1, 0, 0], [2.0**31, 1, 0], [0, 0, 1]])
+    with pytest.raises(ValueError, match="finite"):
+        delone.PeriodicDelaunay(points, 1.0, unit=np.inf)
+
+
+def test_time_limits_end_questions():
+    with pytest.raises(delone.TimeLimitError):
+        delone.PeriodicDelaunay(np.zeros((1, 7)), 1.0, time_limit=0.2)
+
+
+def test_faces():
+    t = delone.PeriodicDelaunay(points, vectors)
+    counts = [len(t.faces(j)) for j in range(4)]
+    assert counts[0] == 200 and counts[3] == t.num_cells and counts[0] - counts[1] + counts[2] - counts[3] == 0
+    cells = t.faces(3)
+    np.testing.assert_array_equal(cells.vertices, t.cells)
+    np.testing.assert_array_equal(cells.offsets, t.cell_offsets)
+    edges = t.faces(1)
+    ends = t.points[edges.vertices] + edges.offsets @ t.lattice
+    lengths = np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1)
+    values = t.alpha_values(1)
+    assert (values >= lengths**2 / 4 * (1 - 1e-12)).all() and len(values) == counts[1]
+    assert not edges.on_hull.any() and delone.PeriodicDelaunay(points, [1, 1, 1], [0, 1]).faces(2).on_hull.any()
+    for wrong in (-1, 4):
+        with pytest.raises(ValueError):
+            t.faces(wrong)
