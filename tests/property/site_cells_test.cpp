@@ -281,10 +281,12 @@ TEST(SiteCells, CrystalsHaveTheirCells) {
   }
 }
 
+/// Nor on the order of insertion.
 TEST(SiteCells, DoNotDependOnThreads) {
   for (const int d : {2, 3, 4}) {
     const std::vector<double> points = make_point_set("clusters", d, d == 4 ? 3000 : 20000, 4);
-    const Delaunay<> one(points, d), four(points, d, {.threads = 4});
+    const Delaunay<> one(points, d),
+        four(points, d, {.seed = 7, .order = InsertionOrder::shuffled, .threads = 4});
     for (const bool in_box : {false, true}) {
       SiteCellsOptions options{.faces = d < 4 ? CellFaces::proper : CellFaces::triangulated,
                                .neighbors = true};
