@@ -112,6 +112,24 @@ TEST(SiteCells, AgreeWithDiagrams) {
   }
 }
 
+/// Volumes do not see where the sites are: differences of their coordinates are exact.
+TEST(SiteCells, FarFromTheOrigin) {
+  for (const int d : {1, 2, 3, 4, 5})
+    for (const bool weighted : {false, true}) {
+      SCOPED_TRACE(d);
+      std::vector<double> near = make_point_set("uniform", d, d < 4 ? 200 : 60, 3);
+      for (double& x : near) x = std::floor(x * 0x1p20) * 0x1p-20;
+      std::vector<double> far = near;
+      for (double& x : far) x += 0x1p27;
+      const std::vector<double> weights = weights_for(near.size() / static_cast<std::size_t>(d), 0.01);
+      const auto volumes = [&](const std::vector<double>& points) {
+        if (weighted) return PowerDiagram<>(Regular<>(points, weights, d)).region_volumes();
+        return Voronoi<>(Delaunay<>(points, d)).region_volumes();
+      };
+      EXPECT_TRUE(test::are_same_bits(volumes(near), volumes(far)));
+    }
+}
+
 TEST(SiteCells, FillBoxes) {
   for (const SiteSet& set : point_sets()) {
     if (set.d > 4 || set.size() > (set.d > 3 ? 60 : 150)) continue;

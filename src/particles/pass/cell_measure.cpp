@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sums over cells are exact_sums.hpp's, also those that decide which cells are replaced.
-#include "particles/cell_measure.hpp"
+#include "particles/pass/cell_measure.hpp"
 
 #include "base/compiled_dimension.hpp"
 #include "base/length.hpp"
 #include "base/progress_meter.hpp"
 #include "kernel/double_double.hpp"
-#include "particles/exact_sums.hpp"
+#include "particles/pass/exact_sums.hpp"
 
 #include <algorithm>
 #include <bit>

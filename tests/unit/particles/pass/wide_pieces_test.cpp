@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The pieces of single cells: integers against fractions, pairs of doubles and lanes against integers, within
 // their own bounds.
-#include "particles/wide_pieces.hpp"
+#include "particles/pass/wide_pieces.hpp"
 
-#include "particles/pieces_kernel.hpp"
+#include "particles/pass/pieces_kernel.hpp"
 
 #include <gtest/gtest.h>
 #include <boost/multiprecision/cpp_int.hpp>

@@ -3,7 +3,7 @@
 // triangulation, and no coordinates of the site: neighbors may be images of sites in a periodic set.
 #pragma once
 
-#include "particles/wide_pieces.hpp"
+#include "particles/pass/wide_pieces.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -4,18 +4,18 @@
 // Errors, up to terms of second order (`slack`). Of the neighbors e, |e|², α and s² are given with relative
 // errors u per coordinate, 5u, and 6u times s·|e|/2. Let ρ = Π|e_i|/D ≥ 1. Below, 1.155 = 2/√3 bounds the
 // ratio of the norm of (|b_y·c_z| + |b_z·c_y|, …) to |b|·|c|.
-#include "particles/pieces_kernel.hpp"
+#include "particles/pass/pieces_kernel.hpp"
 
 #include "base/compiled_dimension.hpp"
-#include "particles/exact_sums.hpp"
+#include "particles/pass/exact_sums.hpp"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "particles/pieces_kernel.cpp"
+#define HWY_TARGET_INCLUDE "particles/pass/pieces_kernel.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h
 #include <hwy/highway.h>
 
-#include "particles/flags-inl.hpp"
+#include "particles/pass/flags-inl.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The pass of one site, from displacements alone, as sites of a periodic set have it.
-#include "particles/cell_measure.hpp"
+#include "particles/pass/cell_measure.hpp"
 
 #include <gtest/gtest.h>
 

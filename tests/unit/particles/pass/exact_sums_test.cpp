@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sums that do not depend on the order of their terms, and in lanes.
-#include "particles/exact_sums.hpp"
+#include "particles/pass/exact_sums.hpp"
 
-#include "particles/pieces_kernel.hpp"
+#include "particles/pass/pieces_kernel.hpp"
 
 #include <gtest/gtest.h>
 

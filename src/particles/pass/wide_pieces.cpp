@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One cell at a time, by flags-inl.hpp: with doubles, with pairs of doubles, and from integers.
-#include "particles/wide_pieces.hpp"
+#include "particles/pass/wide_pieces.hpp"
 
 #include "base/compiled_dimension.hpp"
 #include "base/progress_meter.hpp"
@@ -9,7 +9,7 @@
 
 #include <hwy/highway.h>
 // After highway.h
-#include "particles/flags-inl.hpp"
+#include "particles/pass/flags-inl.hpp"
 
 #include <algorithm>
 #include <cmath>
