@@ -79,11 +79,10 @@ struct DELONE_EXPORT_TYPE SiteCells {
 /// may be larger, pieces come from wider arithmetic. In a box this holds for the cells that lie inside;
 /// others are cut, as by Diagram::region_volumes().
 ///
-/// No result depends on the number of threads, to the last bit. The order of insertion, and so the seed, may
-/// change last bits, as sums follow it. Cost: time and memory O(m·2^k·k²) and O(output) for m cells of the
-/// triangulation, and what cells outside of the box cost. Throws Errc::invalid_argument (a furthest-site
-/// triangulation; a box or halfspaces as described for Diagram::clipped_regions(), halfspaces without a box),
-/// unsupported (k > 12), cancelled, out_of_memory.
+/// No result depends on the number of threads or the order of insertion, to the last bit. Cost: time and
+/// memory O(m·2^k·k²) and O(output) for m cells of the triangulation, and what cells outside of the box cost.
+/// Throws Errc::invalid_argument (a furthest-site triangulation; a box or halfspaces as described for
+/// Diagram::clipped_regions(), halfspaces without a box), unsupported (k > 12), cancelled, out_of_memory.
 DELONE_EXPORT SiteCells site_cells(const Triangulation& triangulation, const SiteCellsOptions& options = {},
                                    const Execution& how = {});
 

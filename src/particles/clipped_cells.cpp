@@ -60,13 +60,14 @@ void check_container(const Container& container, int dimension) {
                 "clipping to a box is available up to dimension " + std::to_string(largest_dimension));
 }
 
-std::vector<unsigned char> centers_inside(const Triangulation& triangulation, const Stars& stars,
+std::vector<unsigned char> centers_inside(const Triangulation& triangulation,
                                           const sites::VertexPoints& points, const Container& container,
                                           unsigned threads) {
   const auto d = static_cast<std::size_t>(triangulation.dimension());
-  std::vector<unsigned char> inside(stars.num_cells(), 0);
+  const Complex complex = triangulation.complex();
+  std::vector<unsigned char> inside(complex.num_cell_slots(), 0);
   constexpr std::size_t block = solve::CenterFinder::block, part = 64 * block;
-  internal::work_in_parts(threads, stars.num_cells(), part, [&] {
+  internal::work_in_parts(threads, inside.size(), part, [&] {
     return [&, finder = solve::CenterFinder(triangulation.dimension(), triangulation.axes(), true),
             cells = std::vector<std::size_t>(), of_block = std::vector<const double*>(),
             weights = std::vector<double>(), centers = std::vector<double>(block * d)](
@@ -77,11 +78,12 @@ std::vector<unsigned char> centers_inside(const Triangulation& triangulation, co
         of_block.clear();
         weights.clear();
         for (; c < last && cells.size() < block; ++c) {
-          if (stars.vertices(c)[0] == index(infinite_vertex)) continue;
+          const CellId cell{static_cast<Index>(c)};
+          if (!complex.is_cell(cell) || complex.is_infinite(cell)) continue;
           cells.push_back(c);
-          for (const Index v : stars.vertices(c)) {
-            of_block.push_back(points.point(v));
-            if (points.weighted()) weights.push_back(points.point(v)[d]);
+          for (const VertexId v : complex.vertices(cell)) {
+            of_block.push_back(points.point(index(v)));
+            if (points.weighted()) weights.push_back(points.point(index(v))[d]);
           }
         }
         if (cells.empty()) continue;

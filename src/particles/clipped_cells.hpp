@@ -2,7 +2,6 @@
 // Cells in a box and halfspaces: which of them lie inside, and what is left of the others.
 #pragma once
 
-#include "particles/stars.hpp"
 #include "sites/vertex_points.hpp"
 #include "voronoi/region_clipper.hpp"
 
@@ -22,9 +21,9 @@ struct Container {
   std::span<const double> halfspaces;
 };
 
-/// By number of the cell in `stars`: 1 if its center is certain to lie inside. REQUIRES cells of full
+/// By id of a cell of the triangulation: 1 if its center is certain to lie inside. REQUIRES cells of full
 /// dimension.
-std::vector<unsigned char> centers_inside(const Triangulation& triangulation, const Stars& stars,
+std::vector<unsigned char> centers_inside(const Triangulation& triangulation,
                                           const sites::VertexPoints& points, const Container& container,
                                           unsigned threads);
 

@@ -14,26 +14,12 @@ PeriodicSites::PeriodicSites(const PeriodicTriangulation& triangulation)
       given_(triangulation.points()),
       has_wraps_(std::ranges::any_of(set_.wraps, [](std::int32_t k) { return k != 0; })) {}
 
-VertexOrder PeriodicSites::order() const {
+std::vector<unsigned char> PeriodicSites::have_cells() const {
   const Complex complex = triangulation().complex();
-  VertexOrder order;
-  order.ids.push_back(index(infinite_vertex));
-  std::vector<Index> ghosts;
+  std::vector<unsigned char> have(complex.num_vertex_slots(), 0);
   for (Index v = 1; v < complex.num_vertex_slots(); ++v)
-    if (complex.is_vertex(VertexId{v})) (has_cell(v) ? order.ids : ghosts).push_back(v);
-  order.last_site = static_cast<Index>(order.ids.size() - 1);
-  internal::QuickRounds round;
-  std::sort(ghosts.begin(), ghosts.end(), [&](Index v, Index w) {
-    round();
-    if (row_of(v) != row_of(w)) return row_of(v) < row_of(w);
-    return std::ranges::lexicographical_compare(ghosts_.offset_of(VertexId{v}),
-                                                ghosts_.offset_of(VertexId{w}));
-  });
-  order.ids.insert(order.ids.end(), ghosts.begin(), ghosts.end());
-  order.ranks.assign(complex.num_vertex_slots(), 0);
-  for (std::size_t rank = 0; rank < order.ids.size(); ++rank)
-    order.ranks[order.ids[rank]] = static_cast<Index>(rank);
-  return order;
+    have[v] = complex.is_vertex(VertexId{v}) && has_cell(v) ? 1 : 0;
+  return have;
 }
 
 void PeriodicSites::find_offsets(Index site, std::span<const Index> vertices,

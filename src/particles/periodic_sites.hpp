@@ -6,7 +6,6 @@
 // star is all that its cell needs. Stars of ghosts are open: ghosts have no cells and no lists.
 #pragma once
 
-#include "particles/stars.hpp"
 #include "periodic/ghost_triangulation.hpp"
 #include "periodic/periodic_set.hpp"
 
@@ -30,10 +29,8 @@ class PeriodicSites {
   bool has_cell(Index v) const { return ghosts_.is_own(VertexId{v}); }
   /// The first row at the point of a vertex, or at the point that it is an image of.
   Index row_of(Index v) const { return ghosts_.image_of(VertexId{v}).row; }
-  /// Points of the set by id, which follows a curve in space, then ghosts by row and translation: which
-  /// ghosts there are, and so their ids, may depend on threads, but not the order of those that are neighbors
-  /// of a point of the set.
-  VertexOrder order() const;
+  /// By vertex, whether it has a cell.
+  std::vector<unsigned char> have_cells() const;
 
   /// Of each vertex the translation from where its row was given, as `rank` numbers, if the site is where its
   /// row was given.

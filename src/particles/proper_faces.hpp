@@ -21,11 +21,11 @@ namespace delone::particles {
 class SphereClasses {
  public:
   /// Cost: an exact test for each facet, by up to `threads` threads.
-  SphereClasses(const Complex& complex, const Stars& stars, const sites::VertexPoints& points,
-                const kernel::Flat& flat, unsigned threads);
+  SphereClasses(const Stars& stars, const sites::VertexPoints& points, const kernel::Flat& flat,
+                unsigned threads);
 
-  /// A name of the class of a cell, which depends on its vertices alone.
-  Index of(std::size_t cell) const { return classes_[cell]; }
+  /// A name of the class of a cell, one of its cells. REQUIRES a cell in a star that is wanted.
+  Index of(CellId cell) const { return classes_[index(cell)]; }
 
  private:
   std::vector<Index> classes_;
@@ -37,15 +37,14 @@ class SphereClasses {
 /// of all classes have nothing else in common.
 class ProperFaces {
  public:
-  ProperFaces(const Stars& stars, const SphereClasses& classes) : stars_(stars), classes_(classes) {}
+  explicit ProperFaces(const SphereClasses& classes) : classes_(classes) {}
 
-  void find(const Star& star, std::span<const Index> cells);
+  void find(const Star& star);
   bool is_proper(std::size_t slot) const { return num_classes_[slot] > 0; }
   /// The number of distinct centers of finite cells at a proper face.
   std::uint32_t num_classes(std::size_t slot) const { return num_classes_[slot]; }
 
  private:
-  const Stars& stars_;
   const SphereClasses& classes_;
   std::vector<std::uint32_t> num_classes_, offsets_, next_, at_edge_;
   std::vector<std::pair<std::uint32_t, Index>> others_;  // slots and classes

@@ -6,9 +6,10 @@
 #include "base/guarded.hpp"
 #include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
-#include "particles/cell_measure.hpp"
 #include "particles/clipped_cells.hpp"
 #include "particles/neighbor_lists.hpp"
+#include "particles/neighbor_order.hpp"
+#include "particles/pass/cell_measure.hpp"
 #include "particles/periodic_sites.hpp"
 #include "particles/proper_faces.hpp"
 #include "particles/stars.hpp"
@@ -31,7 +32,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int most_dimension = 12;
 constexpr std::size_t vertices_in_part = 1024;
 
-/// The neighbors of a site by row, with their places in another list; −1 comes last.
+/// The faces of a clipped cell by the rows of neighbors, with their places in another list; −1 comes last.
 using Order = std::vector<std::pair<Index, std::uint32_t>>;
 
 class SiteCellsMaker {
@@ -64,28 +65,27 @@ class SiteCellsMaker {
   /// What a thread works with.
   struct Worker {
     Worker(const SiteCellsMaker& maker, const Stars& stars)
-        : star(stars, maker.complex_.num_vertex_slots()),
-          measure(maker.k_, maker.d_, maker.points_.weighted(), maker.unit_) {
-      if (maker.classes_) faces.emplace(stars, *maker.classes_);
+        : star(stars), measure(maker.k_, maker.d_, maker.points_.weighted(), maker.unit_) {
+      if (maker.classes_) faces.emplace(*maker.classes_);
       if (maker.container_) clipper.emplace(maker.points_, *maker.container_);
     }
     Star star;
     CellMeasure measure;
     std::optional<ProperFaces> faces;
     std::optional<CellClipper> clipper;
-    Order order;
-    std::vector<std::int32_t> offsets;  // of neighbors in a periodic set
+    NeighborOrder neighbor_order;
+    Order order;                              // of clipped faces
+    std::vector<std::uint32_t> num_at_edges;  // by slot
   };
 
   void start();
   void measure_lone_site();
   void measure();
-  void measure_all(const Stars& stars);
-  void measure_site(Index v, const Stars& stars, Worker& worker, NeighborLists& lists);
-  void sort_neighbors(Index v, Worker& worker) const;
+  void measure_site(Index v, Worker& worker, NeighborLists& lists);
+  void list_neighbors(Worker& worker, NeighborLists& lists);
   void clip(Index v, std::span<const Index> neighbors, CellClipper& clipper, Order& order,
             NeighborLists& lists);
-  bool is_inside(std::span<const Index> cells) const;
+  bool is_inside(const Star& star) const;
   bool are_proper() const { return options_.faces == CellFaces::proper; }
   /// The dimension of the cells: with a box that of the space.
   std::size_t dimension_of_cells() const { return container_ ? d_ : k_; }
@@ -153,19 +153,13 @@ void SiteCellsMaker::measure_lone_site() {
 }
 
 void SiteCellsMaker::measure() {
-  if (periodic_ == nullptr)
-    measure_all(Stars(complex_));
-  else
-    measure_all(Stars(complex_, periodic_->order()));
-}
-
-void SiteCellsMaker::measure_all(const Stars& stars) {
   const std::size_t slots = complex_.num_vertex_slots();
+  const Stars stars(complex_, periodic_ == nullptr ? std::vector<unsigned char>() : periodic_->have_cells());
   if (are_proper()) {
     const std::vector<int> axes = triangulation_.axes();
-    classes_.emplace(complex_, stars, points_, kernel::Flat{points_.ambient, axes, points_.form}, threads_);
+    classes_.emplace(stars, points_, kernel::Flat{points_.ambient, axes, points_.form}, threads_);
   }
-  if (container_ && k_ == d_) inside_ = centers_inside(triangulation_, stars, points_, *container_, threads_);
+  if (container_ && k_ == d_) inside_ = centers_inside(triangulation_, points_, *container_, threads_);
   lists_.resize((slots + vertices_in_part - 1) / vertices_in_part);
   internal::work_in_parts(threads_, slots, vertices_in_part, [&] {
     return [&, worker = Worker(*this, stars)](std::size_t first, std::size_t last,
@@ -174,78 +168,73 @@ void SiteCellsMaker::measure_all(const Stars& stars) {
       for (std::size_t v = first; v < last; ++v) {
         if (!has_cell(static_cast<Index>(v))) continue;
         stop();
-        measure_site(static_cast<Index>(v), stars, worker, lists);
+        measure_site(static_cast<Index>(v), worker, lists);
       }
     };
   });
 }
 
 /// Cells are convex, so one is inside if its vertices are.
-bool SiteCellsMaker::is_inside(std::span<const Index> cells) const {
-  return !inside_.empty() &&
-         std::all_of(cells.begin(), cells.end(), [&](Index c) { return inside_[c] != 0; });
+bool SiteCellsMaker::is_inside(const Star& star) const {
+  if (inside_.empty()) return false;
+  for (std::size_t c = 0; c < star.num_cells(); ++c)
+    if (inside_[index(star.cell(c))] == 0) return false;
+  return true;
 }
 
-void SiteCellsMaker::measure_site(Index v, const Stars& stars, Worker& worker, NeighborLists& lists) {
+void SiteCellsMaker::measure_site(Index v, Worker& worker, NeighborLists& lists) {
   Star& star = worker.star;
   CellMeasure& measure = worker.measure;
   star.find(v);
-  if (container_ && !is_inside(stars.cells_at(v))) {
+  star.arrange(worker.neighbor_order.find(v, star.neighbors(), row_of_vertex_, periodic_));
+  if (container_ && !is_inside(star)) {
     clip(v, star.neighbors(), *worker.clipper, worker.order, lists);
     return;
   }
-  const std::size_t row = row_of_vertex_[v], n = star.neighbors().size(),
-                    rank = static_cast<std::size_t>(cells_.rank);
-  measure.begin(n);
-  for (std::size_t i = 0; i < n; ++i)
-    measure.set_neighbor(i, points_.point(v), points_.point(star.neighbors()[i]));
+  const std::size_t row = row_of_vertex_[v], n = star.neighbors().size();
+  measure.begin(points_.point(v), n);
+  for (std::size_t i = 0; i < n; ++i) measure.set_neighbor(i, points_.point(star.neighbors()[i]));
   measure.measure(star.corners());
-  if (worker.faces) worker.faces->find(star, stars.cells_at(v));
-  worker.order.clear();
+  if (worker.faces) worker.faces->find(star);
+  const auto counts = [&](std::size_t i) { return !worker.faces || worker.faces->is_proper(i); };
+  std::size_t num_faces = 0;
+  double surface = 0;
   for (std::size_t i = 0; i < n; ++i)
-    if (!worker.faces || worker.faces->is_proper(i))
-      worker.order.emplace_back(row_of_vertex_[star.neighbors()[i]], static_cast<std::uint32_t>(i));
-  cells_.num_faces[row] = static_cast<SignedIndex>(worker.order.size());
+    if (counts(i)) {
+      ++num_faces;
+      surface += measure.areas()[i];
+    }
+  cells_.num_faces[row] = static_cast<SignedIndex>(num_faces);
   if (star.is_bounded()) {
     cells_.volumes[row] = outer(measure.volume(), k_);
     if (measure.volume() > 0) set_centroid(row, v, measure.offset());
-    double surface = 0;
-    for (const auto& [other, i] : worker.order) surface += measure.areas()[i];
     cells_.areas[row] = outer(surface, k_ - 1);
   } else {
     cells_.volumes[row] = cells_.areas[row] = infinity;
   }
   if (!options_.neighbors) return;
-  sort_neighbors(v, worker);
-  lists.begin(row, worker.order.size());
-  for (const auto& [other, i] : worker.order) {
+  lists.begin(row, num_faces);
+  list_neighbors(worker, lists);
+}
+
+/// In the order of slots.
+void SiteCellsMaker::list_neighbors(Worker& worker, NeighborLists& lists) {
+  const Star& star = worker.star;
+  const CellMeasure& measure = worker.measure;
+  const auto rank = static_cast<std::size_t>(cells_.rank);
+  if (k_ == 3 && !worker.faces) star.count_cells_at_edges(worker.num_at_edges);
+  for (std::size_t i = 0; i < star.neighbors().size(); ++i) {
+    if (worker.faces && !worker.faces->is_proper(i)) continue;
     const bool is_unbounded = star.is_at_infinity(i) && k_ > 1;
-    lists.neighbors.push_back(static_cast<SignedIndex>(other));
+    lists.neighbors.push_back(static_cast<SignedIndex>(row_of_vertex_[star.neighbors()[i]]));
     lists.areas.push_back(is_unbounded ? infinity : outer(measure.areas()[i], k_ - 1));
     lists.distances.push_back(outer(measure.distances()[i], 1));
-    const auto of_neighbor = std::span(worker.offsets).subspan(i * rank, rank);
+    const auto of_neighbor = worker.neighbor_order.offsets(i, rank);
     lists.lattice.insert(lists.lattice.end(), of_neighbor.begin(), of_neighbor.end());
     if (k_ == 3)
       lists.num_edges.push_back(static_cast<SignedIndex>(
-          (worker.faces ? worker.faces->num_classes(i) : star.num_cells_at(i)) + (is_unbounded ? 1 : 0)));
+          (worker.faces ? worker.faces->num_classes(i) : worker.num_at_edges[i]) + (is_unbounded ? 1 : 0)));
   }
-}
-
-/// By row, and in a periodic set those of one row by their translations.
-void SiteCellsMaker::sort_neighbors(Index v, Worker& worker) const {
-  Order& order = worker.order;
-  if (periodic_ == nullptr) {
-    std::sort(order.begin(), order.end());
-    return;
-  }
-  const std::size_t rank = periodic_->rank();
-  periodic_->find_offsets(v, worker.star.neighbors(), worker.offsets);
-  std::sort(order.begin(), order.end(), [&](const auto& a, const auto& b) {
-    if (a.first != b.first) return a.first < b.first;
-    const std::int32_t* const of_a = worker.offsets.data() + a.second * rank;
-    const std::int32_t* const of_b = worker.offsets.data() + b.second * rank;
-    return std::lexicographical_compare(of_a, of_a + rank, of_b, of_b + rank);
-  });
 }
 
 void SiteCellsMaker::clip(Index v, std::span<const Index> neighbors, CellClipper& clipper, Order& order,

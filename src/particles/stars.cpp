@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Which neighbors are new, and which vertex of a cell is that of the star, is up to chance: the loops over
+// the cells of a star have no branches for either.
 #include "particles/stars.hpp"
 
 #include "base/compiled_dimension.hpp"
@@ -8,159 +10,137 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace delone::particles {
 namespace {
 
-/// The ranks of the vertices of a cell, increasing.
-void sorted_vertices(const VerticesOfCell& vertices, std::size_t size, const VertexOrder* order,
-                     Index* sorted) {
-  for (std::size_t i = 0; i < size; ++i) {
-    const Index v = order == nullptr ? index(vertices[i]) : order->ranks[index(vertices[i])];
-    std::size_t at = i;
-    for (; at > 0 && v < sorted[at - 1]; --at) sorted[at] = sorted[at - 1];
-    sorted[at] = v;
-  }
-}
-
-/// Whether a cell with these ranks is at no vertex whose star is wanted.
-bool is_left_out(const Index* sorted, const VertexOrder* order) {
-  return order != nullptr && sorted[sorted[0] == index(infinite_vertex) ? 1 : 0] > order->last_site;
+template <int K>
+std::size_t number_of(std::size_t k) {
+  return K > 0 ? static_cast<std::size_t>(K) : k;
 }
 
 }  // namespace
 
-Stars::Stars(const Complex& complex) : Stars(complex, nullptr) {}
-Stars::Stars(const Complex& complex, const VertexOrder& order) : Stars(complex, &order) {}
-
-Stars::Stars(const Complex& complex, const VertexOrder* order)
-    : k_(static_cast<std::size_t>(complex.affine_dimension())) {
-  offsets_.assign(complex.num_vertex_slots() + 1, 0);
-  internal::with_compiled_dimension<1, 4>(k_, [&](auto k) { sort<k()>(complex, order); });
-  if (order != nullptr)
-    for (Index& v : vertices_) v = order->ids[v];
-  fill();
+Stars::Stars(const Complex& complex, std::vector<unsigned char> wanted)
+    : complex_(complex),
+      k_(static_cast<std::size_t>(complex.affine_dimension())),
+      wanted_(std::move(wanted)) {
+  internal::with_compiled_dimension<1, 4>(k_, [&](auto k) { fill<k()>(); });
 }
 
-/// Cells by their first vertex, and then those of each first vertex, all by ranks. Also counts the cells at
-/// each vertex.
+bool Stars::has(CellId cell) const {
+  const VerticesOfCell vertices = complex_.vertices(cell);
+  return std::any_of(vertices.begin(), vertices.end(), [&](VertexId v) { return is_wanted(index(v)); });
+}
+
+/// The first pass counts the cells at each vertex.
 template <int K>
-void Stars::sort(const Complex& complex, const VertexOrder* order) {
-  const std::size_t size = K > 0 ? static_cast<std::size_t>(K) + 1 : k_ + 1;
-  std::vector<std::size_t> begin(complex.num_vertex_slots() + 1, 0);
-  kernel::Buffer<Index, K + (K > 0 ? 1 : 0)> sorted(size);
-  internal::QuickRounds round;
-  for (const CellId c : complex.all_cells()) {
-    round();
-    sorted_vertices(complex.vertices(c), size, order, sorted.data());
-    if (is_left_out(sorted.data(), order)) continue;
-    ++begin[sorted[0] + 1];
-    for (const VertexId v : complex.vertices(c)) ++offsets_[index(v) + 1];
-  }
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  const std::size_t num_cells = begin.back();
-  internal::resize_large(vertices_, num_cells * size);
-  internal::resize_large(ids_, num_cells);
-  std::vector<std::size_t> next(begin);
-  for (const CellId c : complex.all_cells()) {
-    round();
-    sorted_vertices(complex.vertices(c), size, order, sorted.data());
-    if (is_left_out(sorted.data(), order)) continue;
-    const std::size_t place = next[sorted[0]]++;
-    ids_[place] = c;
-    std::copy_n(sorted.data(), size, vertices_.data() + place * size);
-  }
-  const auto is_before = [&](const Index* a, const Index* b) {
-    for (std::size_t i = 1; i < size; ++i)
-      if (a[i] != b[i]) return a[i] < b[i];
-    return false;
-  };
-  std::vector<Index> places, old_vertices;
-  std::vector<CellId> old_ids;
-  for (std::size_t v = 0; v + 1 < begin.size(); ++v) {
-    round();
-    const std::size_t first = begin[v], count = begin[v + 1] - first;
-    const auto of_cell = [&](std::size_t c) { return vertices_.data() + (first + c) * size; };
-    bool is_sorted = true;
-    for (std::size_t c = 1; c < count && is_sorted; ++c) is_sorted = is_before(of_cell(c - 1), of_cell(c));
-    if (is_sorted) continue;
-    places.resize(count);
-    std::iota(places.begin(), places.end(), Index{0});
-    const auto less = [&](Index a, Index b) { return is_before(of_cell(a), of_cell(b)); };
-    constexpr std::size_t few = 24;
-    if (count > few) {
-      std::sort(places.begin(), places.end(), [&](Index a, Index b) {
-        round();
-        return less(a, b);
-      });
-    } else {
-      for (std::size_t i = 1; i < count; ++i) {
-        const Index item = places[i];
-        std::size_t at = i;
-        for (; at > 0 && less(item, places[at - 1]); --at) places[at] = places[at - 1];
-        places[at] = item;
-      }
-    }
-    old_vertices.assign(of_cell(0), of_cell(count));
-    old_ids.assign(ids_.begin() + static_cast<std::ptrdiff_t>(first),
-                   ids_.begin() + static_cast<std::ptrdiff_t>(first + count));
-    for (std::size_t c = 0; c < count; ++c) {
-      ids_[first + c] = old_ids[places[c]];
-      std::copy_n(old_vertices.data() + places[c] * size, size, of_cell(c));
-    }
-  }
-}
-
 void Stars::fill() {
+  const std::size_t size = number_of<K>(k_) + 1;
+  offsets_.assign(complex_.num_vertex_slots() + 2, 0);
+  const auto for_incidences = [&](auto visit) {
+    internal::QuickRounds round;
+    for (const CellId c : complex_.all_cells()) {
+      round();
+      const VerticesOfCell vertices = complex_.vertices(c);
+      for (std::size_t i = 0; i < size; ++i)
+        if (const Index v = index(vertices[i]); is_wanted(v)) visit(v, c);
+    }
+  };
+  // Entry v + 1 becomes the place of the next cell of v, and at the end that of the first one of v + 1.
+  for_incidences([&](Index v, CellId) { ++offsets_[v + 2]; });
   std::partial_sum(offsets_.begin(), offsets_.end(), offsets_.begin());
-  internal::resize_large(cells_, vertices_.size());
-  std::vector<std::size_t> next(offsets_);
-  internal::QuickRounds round;
-  for (std::size_t c = 0, at = 0; c < ids_.size(); ++c) {
-    round();
-    for (std::size_t i = 0; i <= k_; ++i) cells_[next[vertices_[at++]]++] = static_cast<Index>(c);
-  }
+  internal::resize_large(cells_, offsets_.back());
+  for_incidences([&](Index v, CellId c) { cells_[offsets_[v + 1]++] = c; });
 }
 
 void Star::find(Index v) {
-  internal::with_compiled_dimension<1, 4>(stars_.dimension(), [&](auto k) { collect<k()>(v); });
+  internal::with_compiled_dimension<1, 4>(k_, [&](auto k) { collect<k()>(v); });
 }
 
 template <int K>
 void Star::collect(Index v) {
-  const std::size_t k = K > 0 ? static_cast<std::size_t>(K) : stars_.dimension();
-  const std::span<const Index> cells = stars_.cells_at(v);
-  neighbors_.resize(cells.size() * k);
-  num_cells_at_.resize(cells.size() * k);
+  const std::size_t k = number_of<K>(k_);
+  const Complex& complex = stars_.complex();
+  const std::span<const CellId> cells = stars_.cells_at(v);
+  neighbors_.resize(cells.size() * k + 1);
   corners_.resize(cells.size() * k);
-  std::uint32_t count = 0;
-  std::uint32_t* corner = corners_.data();
-  num_infinite_ = num_at_infinity_ = 0;
+  finite_.resize(cells.size());
+  infinite_.clear();
   infinite_corners_.clear();
-  for (const Index cell : cells) {
-    const Index* const vertices = stars_.vertices(cell).data();
-    const bool is_finite = vertices[0] != index(infinite_vertex);
-    num_infinite_ += is_finite ? 0 : 1;
-    for (std::size_t i = is_finite ? 0 : 1; i <= k; ++i) {
-      const Index w = vertices[i];
-      if (w == v) continue;
-      Place& place = places_[w];
-      if (place.vertex != v) {
-        place = {v, count};
-        neighbors_[count] = w;
-        num_cells_at_[count++] = 0;
-        num_at_infinity_ += is_finite ? 0 : 1;
-      }
-      if (!is_finite) {
-        infinite_corners_.push_back(place.slot);
-        continue;
-      }
-      ++num_cells_at_[place.slot];
-      *corner++ = place.slot;
+  kernel::Buffer<Index, K> others(k);
+  std::uint32_t count = 0;
+  const auto slot_of = [&](Index w) {
+    Place& place = places_[w];
+    const std::uint32_t is_new = place.vertex != v ? 1 : 0,
+                        slot = place.slot ^ ((place.slot ^ count) & -is_new);
+    place = {v, slot};
+    neighbors_[count] = w;  // until the next new one is put there
+    count += is_new;
+    return slot;
+  };
+  std::size_t num_finite = 0;
+  std::uint32_t* corner = corners_.data();
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const CellId cell = cells[c];
+    stars_.prefetch_after(v, c);
+    const VerticesOfCell vertices = complex.vertices(cell);
+    const Index last = index(vertices[k]);  // takes the place of v
+    bool is_infinite = last == index(infinite_vertex);
+    for (std::size_t i = 0; i < k; ++i) {
+      const Index w = index(vertices[i]);
+      others[i] = w ^ ((w ^ last) & (w == v ? ~Index{0} : 0));
+      is_infinite |= w == index(infinite_vertex);
     }
+    if (is_infinite) {
+      infinite_.push_back(cell);
+      for (std::size_t i = 0; i < k; ++i)
+        if (others[i] != index(infinite_vertex)) infinite_corners_.push_back(slot_of(others[i]));
+      continue;
+    }
+    finite_[num_finite++] = cell;
+    for (std::size_t i = 0; i < k; ++i) *corner++ = slot_of(others[i]);
   }
   neighbors_.resize(count);
-  corners_.resize(static_cast<std::size_t>(corner - corners_.data()));
+  finite_.resize(num_finite);
+  corners_.resize(num_finite * k);
+}
+
+void Star::arrange(std::span<const std::uint32_t> order) {
+  old_neighbors_.swap(neighbors_);
+  neighbors_.resize(order.size());
+  new_slots_.resize(order.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) {
+    neighbors_[i] = old_neighbors_[order[i]];
+    new_slots_[order[i]] = i;
+  }
+  internal::with_compiled_dimension<1, 4>(k_, [&](auto k) { renumber<k()>(); });
+  if (infinite_.empty()) return;
+  at_infinity_.assign(order.size(), 0);
+  for (std::uint32_t& slot : infinite_corners_) {
+    slot = new_slots_[slot];
+    at_infinity_[slot] = 1;
+  }
+}
+
+template <int K>
+void Star::renumber() {
+  const std::size_t k = number_of<K>(k_);
+  kernel::Buffer<std::uint32_t, K> slots(k);
+  for (std::size_t first = 0; first < corners_.size(); first += k) {
+    for (std::size_t i = 0; i < k; ++i) slots[i] = new_slots_[corners_[first + i]];
+    for (std::size_t i = 0; i < k; ++i) {  // slots differ, so each tells its place
+      std::uint32_t place = 0;
+      for (std::size_t j = 0; j < k; ++j) place += slots[j] < slots[i] ? 1 : 0;
+      corners_[first + place] = slots[i];
+    }
+  }
+}
+
+void Star::count_cells_at_edges(std::vector<std::uint32_t>& counts) const {
+  counts.assign(neighbors_.size(), 0);
+  for (const std::uint32_t slot : corners_) ++counts[slot];
 }
 
 }  // namespace delone::particles

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The cells at each vertex, in an order that depends on the ids of vertices alone, and not on those of cells,
-// which several threads give differently. So what is summed over a star has the same bits for every number of
-// threads.
+// The cells at each vertex, and the star of one vertex in local numbers. Ids of cells may depend on threads,
+// and so may the order of the cells of a star. That of its neighbors is set by the caller; see CellMeasure
+// for the sums.
 #pragma once
 
 #include <delone/complex.hpp>
 #include <delone/types.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -14,84 +15,85 @@
 
 namespace delone::particles {
 
-/// Another order of vertices than that of their ids, in which the first ones are those whose stars are
-/// wanted.
-struct VertexOrder {
-  std::vector<Index> ids;    ///< by rank; the infinite vertex is first
-  std::vector<Index> ranks;  ///< by vertex id
-  Index last_site = 0;       ///< the rank of the last vertex whose star is wanted
-};
-
 class Stars {
  public:
-  /// Of a complex of dimension k ≥ 1, which must not change. Cost O(cells·k²).
-  explicit Stars(const Complex& complex);
-  /// The same with vertices in another order. Cells at none of the wanted vertices are left out.
-  Stars(const Complex& complex, const VertexOrder& order);
+  /// Of a complex of dimension k ≥ 1, which must not change. `wanted`: by vertex, whether its star is; empty:
+  /// the stars of all finite vertices are. Cost O(cells·k).
+  explicit Stars(const Complex& complex, std::vector<unsigned char> wanted = {});
 
+  const Complex& complex() const { return complex_; }
   std::size_t dimension() const { return k_; }
-  std::size_t num_cells() const { return ids_.size(); }
-  /// The k+1 vertices of a cell, in order: the first of an infinite cell is the infinite vertex. Cells are
-  /// numbered in lexicographic order.
-  std::span<const Index> vertices(std::size_t cell) const {
-    return {vertices_.data() + cell * (k_ + 1), k_ + 1};
-  }
-  CellId id(std::size_t cell) const { return ids_[cell]; }
-  /// The cells at a vertex, increasing, so infinite ones come first. REQUIRES that its star is wanted.
-  std::span<const Index> cells_at(Index v) const {
+  bool is_wanted(Index v) const { return wanted_.empty() ? v != index(infinite_vertex) : wanted_[v] != 0; }
+  /// Whether a cell is in a star that is wanted.
+  bool has(CellId cell) const;
+  /// The cells at a vertex, in no order. REQUIRES that its star is wanted.
+  std::span<const CellId> cells_at(Index v) const {
     return std::span(cells_).subspan(offsets_[v], offsets_[v + 1] - offsets_[v]);
+  }
+  /// Asks for a cell that will be needed soon: some places after cell `c` at v, or in the stars that follow.
+  void prefetch_after(Index v, std::size_t c) const {
+    constexpr std::size_t distance = 16;
+    complex_.prefetch(cells_[std::min(offsets_[v] + c + distance, cells_.size() - 1)]);
   }
 
  private:
-  Stars(const Complex& complex, const VertexOrder* order);
   template <int K>
-  void sort(const Complex& complex, const VertexOrder* order);
   void fill();
 
+  Complex complex_;
   std::size_t k_;
-  std::vector<Index> vertices_, cells_;
-  std::vector<CellId> ids_;
+  std::vector<unsigned char> wanted_;
+  std::vector<CellId> cells_;
   std::vector<std::size_t> offsets_;
 };
 
-/// The star of one vertex in local numbers.
+/// The star of one vertex. Its neighbors, the vertices that edges join to it, have numbers: *slots*.
 class Star {
  public:
-  explicit Star(const Stars& stars, std::size_t num_vertex_slots)
-      : stars_(stars), places_(num_vertex_slots) {}
+  explicit Star(const Stars& stars)
+      : stars_(stars), k_(stars.dimension()), places_(stars.complex().num_vertex_slots()) {}
 
+  /// Finds the star, with slots in the order in which neighbors are met.
   void find(Index v);
+  /// Gives them new slots: neighbor i is the one whose slot was order[i]. The slots of each cell increase.
+  void arrange(std::span<const std::uint32_t> order);
 
-  /// The vertices that edges join to it. Their places in here are *slots*.
   std::span<const Index> neighbors() const { return neighbors_; }
   /// The k slots of each finite cell.
   std::span<const std::uint32_t> corners() const { return corners_; }
-  /// The slots of any cell: of cell c of Stars::cells_at().
-  std::span<const std::uint32_t> slots_of(std::size_t c) const {
-    const std::size_t k = stars_.dimension();
-    if (c < num_infinite_) return {infinite_corners_.data() + c * (k - 1), k - 1};
-    return {corners_.data() + (c - num_infinite_) * k, k};
+  /// The cells, infinite ones first.
+  std::size_t num_cells() const { return infinite_.size() + finite_.size(); }
+  std::size_t num_infinite() const { return infinite_.size(); }
+  CellId cell(std::size_t c) const {
+    return c < infinite_.size() ? infinite_[c] : finite_[c - infinite_.size()];
   }
-  /// The number of finite cells at the edge to a neighbor, and whether infinite cells are there, too.
-  std::uint32_t num_cells_at(std::size_t slot) const { return num_cells_at_[slot]; }
-  bool is_at_infinity(std::size_t slot) const { return slot < num_at_infinity_; }
-  bool is_bounded() const { return num_infinite_ == 0; }
-  /// How many of the cells at the vertex are infinite: the first ones.
-  std::size_t num_infinite() const { return num_infinite_; }
+  std::span<const std::uint32_t> slots_of(std::size_t c) const {
+    if (c < infinite_.size()) return std::span(infinite_corners_).subspan(c * (k_ - 1), k_ - 1);
+    return std::span(corners_).subspan((c - infinite_.size()) * k_, k_);
+  }
+  /// Whether infinite cells are at the edge to a neighbor.
+  bool is_at_infinity(std::size_t slot) const { return !infinite_.empty() && at_infinity_[slot] != 0; }
+  bool is_bounded() const { return infinite_.empty(); }
+  /// By slot, the number of finite cells at the edge.
+  void count_cells_at_edges(std::vector<std::uint32_t>& counts) const;
 
  private:
   template <int K>
   void collect(Index v);
+  template <int K>
+  void renumber();
 
   const Stars& stars_;
+  std::size_t k_;
   struct Place {
     Index vertex = 0;  // the vertex that the slot was given for; 0: none
     std::uint32_t slot = 0;
   };
   std::vector<Place> places_;  // by vertex
-  std::vector<Index> neighbors_;
-  std::vector<std::uint32_t> corners_, infinite_corners_, num_cells_at_;
-  std::size_t num_infinite_ = 0, num_at_infinity_ = 0;
+  std::vector<Index> neighbors_, old_neighbors_;
+  std::vector<CellId> finite_, infinite_;
+  std::vector<std::uint32_t> corners_, infinite_corners_, new_slots_;
+  std::vector<unsigned char> at_infinity_;
 };
 
 }  // namespace delone::particles

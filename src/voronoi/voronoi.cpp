@@ -13,6 +13,7 @@
 #include "voronoi/clipped_regions.hpp"
 #include "voronoi/diagram_simplifier.hpp"
 #include "voronoi/region_clipper.hpp"
+#include "voronoi/region_volumes.hpp"
 #include "voronoi/ridge_volumes.hpp"
 #include "voronoi/voronoi_builder.hpp"
 
@@ -240,9 +241,16 @@ std::vector<double> Diagram::ridge_volumes(const Execution& how) const {
   });
 }
 
-/// Volumes of the regions for which `wanted` holds; 0 for the others. The terms are added up in the order of
-/// the ridges, whatever the number of threads.
+/// Volumes of the regions for which `wanted` holds, which are bounded; 0 for the others. Where they are not
+/// sums of pieces, the terms are added up in the order of the ridges, whatever the number of threads.
 std::vector<double> Diagram::volumes_of(const std::vector<unsigned char>& wanted, unsigned threads) const {
+  const auto k = static_cast<std::size_t>(affine_dimension_);
+  if (kind_ != DataKind::furthest_voronoi && k >= 1 && k <= voronoi::most_dimension_of_pieces)
+    return voronoi::measure_regions(
+        {k, ambient(), sites_,
+         kind_ == DataKind::power_diagram ? std::span<const double>(weights_) : std::span<const double>(),
+         cell_regions_},
+        wanted, threads);
   const auto cells = cells_of_regions();
   const auto region = [&](std::size_t i) {
     return static_cast<std::size_t>(point_region_[static_cast<std::size_t>(ridge_points_[i])]);

@@ -234,6 +234,12 @@ void VoronoiBuilder::collect_stars() {
   });
 }
 
+void VoronoiBuilder::keep_cells() {
+  if (k_ < 1 || k_ > 3 || out_.kind_ == DataKind::furthest_voronoi) return;
+  out_.cell_regions_.reserve(corners_.size());
+  for (const VertexId v : corners_) out_.cell_regions_.push_back(region_of(v));
+}
+
 /// Merging only shortens lists, so they can move forward in place.
 void VoronoiBuilder::collect_regions() {
   corners_ = {};

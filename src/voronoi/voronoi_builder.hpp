@@ -28,7 +28,10 @@ class VoronoiBuilder {
     merge_infinite_cells();
     number_vertices();
     collect_stars();
-    if (out_.has_ridges_) collect_ridges();
+    if (out_.has_ridges_) {
+      keep_cells();
+      collect_ridges();
+    }
     collect_regions();
     collect_rays();
   }
@@ -52,6 +55,8 @@ class VoronoiBuilder {
   /// For each site its finite cells, as positions in cells_, in increasing order. If no cells merge,
   /// positions are Voronoi vertices and this is the vertex list of the region. Not for k = 2.
   void collect_stars();
+  /// The regions of finite cells, which volumes are made of. For k > 3 collect_ridges() keeps them.
+  void keep_cells();
   void collect_regions();
   void collect_regions_in_plane();
   void walk_region(std::size_t region, VertexId site, std::vector<SignedIndex>& items);

@@ -112,6 +112,24 @@ TEST(SiteCells, AgreeWithDiagrams) {
   }
 }
 
+/// Volumes do not see where the sites are: differences of their coordinates are exact.
+TEST(SiteCells, FarFromTheOrigin) {
+  for (const int d : {1, 2, 3, 4, 5})
+    for (const bool weighted : {false, true}) {
+      SCOPED_TRACE(d);
+      std::vector<double> near = make_point_set("uniform", d, d < 4 ? 200 : 60, 3);
+      for (double& x : near) x = std::floor(x * 0x1p20) * 0x1p-20;
+      std::vector<double> far = near;
+      for (double& x : far) x += 0x1p27;
+      const std::vector<double> weights = weights_for(near.size() / static_cast<std::size_t>(d), 0.01);
+      const auto volumes = [&](const std::vector<double>& points) {
+        if (weighted) return PowerDiagram<>(Regular<>(points, weights, d)).region_volumes();
+        return Voronoi<>(Delaunay<>(points, d)).region_volumes();
+      };
+      EXPECT_TRUE(test::are_same_bits(volumes(near), volumes(far)));
+    }
+}
+
 TEST(SiteCells, FillBoxes) {
   for (const SiteSet& set : point_sets()) {
     if (set.d > 4 || set.size() > (set.d > 3 ? 60 : 150)) continue;
@@ -281,10 +299,12 @@ TEST(SiteCells, CrystalsHaveTheirCells) {
   }
 }
 
+/// Nor on the order of insertion.
 TEST(SiteCells, DoNotDependOnThreads) {
   for (const int d : {2, 3, 4}) {
     const std::vector<double> points = make_point_set("clusters", d, d == 4 ? 3000 : 20000, 4);
-    const Delaunay<> one(points, d), four(points, d, {.threads = 4});
+    const Delaunay<> one(points, d),
+        four(points, d, {.seed = 7, .order = InsertionOrder::shuffled, .threads = 4});
     for (const bool in_box : {false, true}) {
       SiteCellsOptions options{.faces = d < 4 ? CellFaces::proper : CellFaces::triangulated,
                                .neighbors = true};

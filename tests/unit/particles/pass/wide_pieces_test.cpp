@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The pieces of single cells: integers against fractions, pairs of doubles and lanes against integers, within
 // their own bounds.
-#include "particles/wide_pieces.hpp"
+#include "particles/pass/wide_pieces.hpp"
 
-#include "particles/pieces_kernel.hpp"
+#include "particles/pass/pieces_kernel.hpp"
 
 #include <gtest/gtest.h>
 #include <boost/multiprecision/cpp_int.hpp>
@@ -178,7 +178,8 @@ TEST(WidePieces, StagesKeepTheirBounds) {
             EXPECT_LT(one[k + d + 1], 1e-8 * sum);
           }
           if (!has_lanes(k, d)) continue;
-          find_pieces_in_lanes(d, 1, cell.records.data(), cell.corners.data(), 8, lanes.data());
+          find_pieces_in_lanes(d, !weights.empty(), 1, cell.records.data(), cell.corners.data(), 8,
+                               lanes.data());
           std::vector<double> in_lane;
           for (std::size_t i = 0; i < size; ++i) in_lane.push_back(lanes[8 * i]);
           expect_bound(in_lane, "lanes");

@@ -3,8 +3,7 @@
 // triangulation, and no coordinates of the site: neighbors may be images of sites in a periodic set.
 #pragma once
 
-#include "base/compensated_sum.hpp"
-#include "particles/wide_pieces.hpp"
+#include "particles/pass/wide_pieces.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -19,11 +18,16 @@ class CellMeasure {
   /// differences are in range; weights by 2^(−2·unit).
   CellMeasure(std::size_t k, std::size_t d, bool weighted, int unit = 0);
 
-  /// The next site has so many neighbors.
-  void begin(std::size_t num_neighbors);
-  /// Neighbor i is at `to` for the site at `from`: d coordinates, then the weight if there are weights.
-  void set_neighbor(std::size_t i, const double* from, const double* to);
-  /// `corners`: of each finite cell at the site its k neighbors, increasing. Sums are in this order.
+  /// The next site is at `from`, d coordinates, then the weight if there are weights. It has so many
+  /// neighbors. What pointers point to must stay until measure() is done.
+  void begin(const double* from, std::size_t num_neighbors) {
+    from_ = from;
+    to_.resize(num_neighbors);
+  }
+  /// Neighbor i is at `to`.
+  void set_neighbor(std::size_t i, const double* to) { to_[i] = to; }
+  /// `corners`: of each finite cell at the site its k neighbors, increasing. No result depends on the order
+  /// of the cells.
   void measure(std::span<const std::uint32_t> corners);
 
   /// Off by at most 10⁻¹² of the sum of the absolute values of the pieces; see site_cells().
@@ -38,15 +42,18 @@ class CellMeasure {
   std::size_t num_exact() const { return num_exact_; }
 
  private:
-  void scale();
+  template <int D>
   void measure_neighbors();
+  void find_exact_differences();
   void find_pieces();
   void improve();
+  double total_of_scratch() const;
   double most_error(double sum);
-  template <class Sum, class Add, class Value>
-  void sum_up(std::vector<Sum>& shares, std::vector<Sum>& moment, Add add, Value value);
-  void finish();
+  void sum_pieces();
+  void sum_up();
+  void unscale();
   double& piece(std::size_t i, std::size_t cell) { return pieces_[i * stride_ + cell]; }
+  std::span<double> column(std::size_t i) { return {pieces_.data() + i * stride_, num_cells_}; }
   double& size_of(std::size_t cell) { return piece(k_ + d_, cell); }
   double& error_of(std::size_t cell) { return piece(k_ + d_ + 1, cell); }
   template <class Find>
@@ -56,16 +63,18 @@ class CellMeasure {
   bool weighted_;
   int unit_;
   double coordinate_factor_, weight_factor_;
-  std::vector<double> high_, low_, weight_high_, weight_low_;
+  const double* from_ = nullptr;
+  std::vector<const double*> to_;
   std::span<const std::uint32_t> corners_;
-  std::size_t num_neighbors_ = 0, num_cells_ = 0, stride_ = 0;
+  std::size_t num_cells_ = 0, stride_ = 0;
   int exponent_ = 0;
   bool is_moderate_ = true;  // whether rounded numbers will do
   std::vector<double> records_, pieces_, one_;
   std::vector<double> positions_;  // by neighbor: t, where the bisector meets its line
   double volume_ = 0;
-  std::vector<double> offset_, areas_, distances_, shares_, moment_;
-  std::vector<internal::CompensatedSum> long_shares_, long_moment_;  // of large stars
+  std::vector<double> offset_, areas_, distances_, shares_, parts_, first_parts_;
+  // For single cells.
+  std::vector<double> high_, low_, weight_high_, weight_low_, scratch_;
   std::size_t num_in_pairs_ = 0, num_exact_ = 0;
 };
 

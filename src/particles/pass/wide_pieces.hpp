@@ -3,7 +3,7 @@
 // integers.
 #pragma once
 
-#include "particles/pieces_kernel.hpp"
+#include "particles/pass/pieces_kernel.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One cell at a time, by flags-inl.hpp: with doubles, with pairs of doubles, and from integers.
-#include "particles/wide_pieces.hpp"
+#include "particles/pass/wide_pieces.hpp"
 
 #include "base/compiled_dimension.hpp"
 #include "base/progress_meter.hpp"
@@ -9,7 +9,7 @@
 
 #include <hwy/highway.h>
 // After highway.h
-#include "particles/flags-inl.hpp"
+#include "particles/pass/flags-inl.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -93,8 +93,7 @@ class ExactElimination {
       const std::size_t with = set | std::size_t{1} << v;
       const Integer& pivot = square(v);
       for (std::size_t j = 0; j < d_; ++j)
-        flags_.centers[with * d_ + j] = flags_.centers[set * d_ + j] +
-                                        kernel::nearest_double(row(v)[d_] * row(v)[j], pivot * g, grid_ - 1);
+        flags_.steps[with * d_ + j] = kernel::nearest_double(row(v)[d_] * row(v)[j], pivot * g, grid_ - 1);
       if (with + 1 == std::size_t{1} << k_) continue;
       std::vector<Integer> next(rows.size());
       for (std::size_t w = 0; w < k_; ++w) {
@@ -138,7 +137,7 @@ void find_in_pairs(const ExactNeighbors& neighbors, const std::uint32_t* corners
     edges.tau[i] = static_cast<double>(d + 3) * pair_roundoff * size;
   }
   Flags<double, K, K> flags(k, d);
-  eliminate<double, DoubleDouble, K, K>(flags, lambda.data(), pair_roundoff, 0, 0, edges);
+  eliminate<double, DoubleDouble, K, K>(flags, lambda.data(), pair_roundoff, Zero<0>(), Zero<0>(), edges);
   sum_flags<double, K, K>(flags, squares.data(), writer(pieces));
 }
 
@@ -159,7 +158,7 @@ void find_pieces(std::size_t k, std::size_t d, const double* records, const std:
         static_cast<double>(d + 3) * unit_roundoff * (std::sqrt(record[d + magnitude]) * lambda[i]);
   }
   Flags<double, 0, 0> flags(k, d);
-  eliminate<double, double, 0, 0>(flags, lambda.data(), unit_roundoff, 0, 0, edges);
+  eliminate<double, double, 0, 0>(flags, lambda.data(), unit_roundoff, Zero<0>(), Zero<0>(), edges);
   sum_flags<double, 0, 0>(flags, squares.data(), writer(pieces));
 }
 
