@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# delone_unite(<target> <files>): compiles the sources of a folder together, up to so many at a time. What they include is then parsed
-# once, and templates that they share are compiled once: half of the time less. A source with compile options of its own, and one that
-# Highway compiles for several instruction sets, stays alone.
+# delone_unite(<target> <files>): compiles the sources of a folder together, in parts of equal size of at most so many files. What they
+# include is then parsed once, and templates that they share are compiled once: half of the time less. A source with compile options of
+# its own, and one that Highway compiles for several instruction sets, stays alone.
 # In the preset dev each source is compiled by itself, so that it includes what it uses.
 function(delone_unite target files)
   if(CMAKE_DISABLE_PRECOMPILE_HEADERS)
@@ -17,12 +17,23 @@ function(delone_unite target files)
     if(several_targets)
       continue()
     endif()
+    list(APPEND folders ${folder})
     string(MAKE_C_IDENTIFIER "${folder}" key)
-    math(EXPR count_${key} "0${count_${key}} + 1")
-    math(EXPR part "(${count_${key}} - 1) / ${files}")
+    list(APPEND sources_${key} ${source})
+  endforeach()
+  list(REMOVE_DUPLICATES folders)
+  foreach(folder ${folders})
+    string(MAKE_C_IDENTIFIER "${folder}" key)
+    list(LENGTH sources_${key} number)
+    math(EXPR parts "(${number} + ${files} - 1) / ${files}")
     file(RELATIVE_PATH name ${CMAKE_CURRENT_SOURCE_DIR} ${folder})
-    string(MAKE_C_IDENTIFIER "${name}_${part}" group)
-    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+    set(index 0)
+    foreach(source ${sources_${key}})
+      math(EXPR part "${index} * ${parts} / ${number}")
+      math(EXPR index "${index} + 1")
+      string(MAKE_C_IDENTIFIER "${name}_${part}" group)
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+    endforeach()
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 endfunction()
