@@ -34,7 +34,8 @@ class Stopped(Exception):
 def run(command, seconds, stdin=None):
     """(user seconds, output) of a command. Raises Stopped after so many seconds of processor time."""
     def limit():
-        signal.setitimer(signal.ITIMER_PROF, seconds)
+        signal.setitimer(signal.ITIMER_VIRTUAL, seconds)  # of user time; PPL has a use for the others
+        resource.setrlimit(resource.RLIMIT_CPU, (int(seconds) + 3, int(seconds) + 3))
         resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     with tempfile.TemporaryFile() as out, open(stdin or os.devnull, "rb") as source:
         process = subprocess.Popen(command, stdin=source, stdout=out, stderr=subprocess.DEVNULL, preexec_fn=limit)
@@ -42,7 +43,7 @@ def run(command, seconds, stdin=None):
         process.returncode = os.waitstatus_to_exitcode(status)
         out.seek(0)
         text = out.read().decode()
-    if process.returncode == -signal.SIGPROF:
+    if process.returncode in (-signal.SIGVTALRM, -signal.SIGXCPU, -signal.SIGKILL):
         raise Stopped(f">{seconds:.1f}")
     if process.returncode != 0:
         raise Stopped("fails")
