@@ -8,7 +8,7 @@
   benchmarks/conversions.py build/bench --record                 also benchmarks/history/DATE-COMMIT-conversions.json
 
 Figures are seconds of user time of whole processes, reading included; the least of the rounds. Programs that take more than --patience times as
-long as delone, and at least a second, are stopped: ">" and that time. All that end must find the same number of rows. "ratio" is delone's time by
+long as delone, and at least a fifth of a second, are stopped: ">" and that time. All that end must find the same number of rows. "ratio" is delone's time by
 the best other one's."""
 import argparse
 import json
@@ -34,7 +34,8 @@ class Stopped(Exception):
 def run(command, seconds, stdin=None):
     """(user seconds, output) of a command. Raises Stopped after so many seconds of processor time."""
     def limit():
-        resource.setrlimit(resource.RLIMIT_CPU, (int(seconds) + 1, int(seconds) + 2))
+        signal.setitimer(signal.ITIMER_VIRTUAL, seconds)  # of user time; PPL has a use for the others
+        resource.setrlimit(resource.RLIMIT_CPU, (int(seconds) + 3, int(seconds) + 3))
         resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     with tempfile.TemporaryFile() as out, open(stdin or os.devnull, "rb") as source:
         process = subprocess.Popen(command, stdin=source, stdout=out, stderr=subprocess.DEVNULL, preexec_fn=limit)
@@ -42,8 +43,8 @@ def run(command, seconds, stdin=None):
         process.returncode = os.waitstatus_to_exitcode(status)
         out.seek(0)
         text = out.read().decode()
-    if process.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
-        raise Stopped(f">{seconds:.0f}")
+    if process.returncode in (-signal.SIGVTALRM, -signal.SIGXCPU, -signal.SIGKILL):
+        raise Stopped(f">{seconds:.1f}")
     if process.returncode != 0:
         raise Stopped("fails")
     return usage.ru_utime, text
@@ -85,7 +86,7 @@ def measure(path, programs, rounds, patience):
     """{program: seconds or the text of Stopped}. Exits if counts differ."""
     figures, counts = {}, {}
     for name, (adapter, program) in programs.items():
-        limit = 60 if name == "delone" else max(1, patience * figures["delone"]) if isinstance(figures["delone"], float) else 10
+        limit = 60 if name == "delone" else max(0.2, patience * figures["delone"]) if isinstance(figures["delone"], float) else 10
         try:
             times = []
             for _ in range(rounds):

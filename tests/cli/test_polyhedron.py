@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """delone polyhedron: both descriptions, statistics, standard streams, errors."""
+import itertools
 import json
 import pathlib
 import unittest
@@ -52,12 +53,31 @@ class Polyhedra(Case):
         self.assertIn("in.ext: 3 points, 0 rays, 0 lines in dimension 2", said)
         self.assertIn("proved: both are the polyhedron with the hash", said)
         larger = self.file("larger.ext", VERTICES.replace("1/2", "2/3"))
-        self.assertRegex(self.output("check", triangle, "--same-as", larger, status=1), r"larger.ext has the vertex \(2/3, 0\), which is not in .*in.ine")
-        self.assertRegex(self.output("check", larger, "--same-as", triangle, status=1), r"larger.ext has the vertex \(2/3, 0\), which is not in .*in.ine")
+        for pair in ([triangle, larger], [larger, triangle]):
+            self.assertRegex(self.output("check", pair[0], "--same-as", pair[1], status=1), r"larger.ext has points that inequality 3 of .*in.ine excludes")
+        smaller = self.file("smaller.ext", VERTICES.replace("1/2", "1/4"))
+        self.assertRegex(self.output("check", triangle, "--same-as", smaller, status=1), r"in.ine has the vertex \(1/2, 0\), which is not in .*smaller.ext")
+        self.assertRegex(self.output("check", smaller, "--same-as", vertices, status=1), r"in.ext has the vertex \(1/2, 0\), which is not in .*smaller.ext")
         cone = self.file("cone.ext", "V-representation\nbegin\n4 3 rational\n1 0 0\n1 0 1/3\n1 1/2 0\n0 1 0\nend\n")
         self.assertIn("cone.ext has a ray or a line that", self.output("check", vertices, "--same-as", cone, status=1))
+        self.assertIn("excludes", self.output("check", cone, "--same-as", triangle, status=1))
+        flat = self.file("flat.ext", "V-representation\nbegin\n2 3 integer\n1 0 0\n1 1 1\nend\n")
+        for rows in ("linearity 1 1\nbegin\n3 3 integer\n0 1 -1\n0 1 0\n2 -1 -1\nend\n",        # an equation
+                     "begin\n4 3 integer\n0 1 -1\n0 -1 1\n0 1 0\n1 0 -1\nend\n"):               # two inequalities that are one
+            self.assertIn("proved", self.output("check", flat, "--same-as", self.file("flat.ine", rows)))
+        bent = self.file("bent.ine", "linearity 1 1\nbegin\n3 3 integer\n0 1 -2\n0 1 0\n2 -1 -1\nend\n")
+        self.assertIn("flat.ext has points that equation 1 of", self.output("check", flat, "--same-as", bent, status=1))
         line = self.file("line.ine", "begin\n1 2 integer\n1 1\nend\n")
         self.assertIn("line.ine is in dimension 1", self.complaint("check", line, "--same-as", triangle, status=64))
+
+    def test_one_direction_is_enough(self):
+        """The facets of the cut polytope of six nodes would take days to become vertices."""
+        nodes = range(6)
+        cuts = sorted({tuple(int(side[i] != side[j]) for i in nodes for j in range(i)) for side in itertools.product((0, 1), repeat=6)})
+        rows = "".join("1 " + " ".join(map(str, cut)) + "\n" for cut in cuts)
+        vertices = self.file("cuts.ext", f"V-representation\nbegin\n{len(cuts)} 16 integer\n{rows}end\n")
+        self.output("polyhedron", vertices, "-o", self.path("cuts.ine"))
+        self.assertIn("proved", self.output("check", self.path("cuts.ine"), "--same-as", vertices))
 
     def test_threads(self):
         self.assertEqual(self.output("polyhedron", self.file("in.ine", TRIANGLE), "-o", "-", "--output-format", "ext", "--threads", "2"), VERTICES)
