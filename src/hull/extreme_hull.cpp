@@ -2,7 +2,6 @@
 #include "hull/extreme_hull.hpp"
 
 #include "hull/complete_shell.hpp"
-#include "hull/hull_analysis.hpp"
 #include "hull/point_sieve.hpp"
 
 #include <algorithm>
@@ -28,13 +27,13 @@ void insert(ExtremeHull& hull, std::span<const double> coordinates, std::span<co
 /// none; if they are extreme it goes on from there.
 void drop_others(ExtremeHull& hull, std::unique_ptr<HullState> before, std::span<const double> coordinates,
                  const Options& options) {
-  const HullAnalysis analysis(*hull.state);
+  hull.analysis = std::make_unique<HullAnalysis>(*hull.state);
   const SimplicialHull& boundary = hull.state->hull();
-  const std::vector<char>& is_extreme = analysis.faces().is_extreme;
+  const std::vector<char>& is_extreme = hull.analysis->faces().is_extreme;
   if (std::all_of(boundary.cells.begin(), boundary.cells.end(),
                   [&](Index site) { return is_extreme[site] != 0; }))
     return;
-  ExtremeHull other{std::make_unique<HullState>(hull.state->sites().ambient), {}};
+  ExtremeHull other{std::make_unique<HullState>(hull.state->sites().ambient), {}, {}};
   const std::size_t first = before ? before->sites().size() : 0;
   if (before && before->num_rows() == first &&
       std::find(is_extreme.begin(), is_extreme.begin() + static_cast<std::ptrdiff_t>(first), 0) ==
@@ -47,6 +46,7 @@ void drop_others(ExtremeHull& hull, std::unique_ptr<HullState> before, std::span
     if (is_extreme[site] != 0) rows.push_back(hull.rows[static_cast<std::size_t>(hull.state->row(site))]);
   std::sort(rows.begin(), rows.end());
   insert(other, coordinates, rows, options);
+  other.analysis = std::make_unique<HullAnalysis>(*other.state);
   hull = std::move(other);
 }
 
@@ -55,7 +55,7 @@ void drop_others(ExtremeHull& hull, std::unique_ptr<HullState> before, std::span
 ExtremeHull find_extreme_hull(std::span<const double> coordinates, int dimension, const Options& options) {
   constexpr std::size_t least_rows = 64;
   const std::size_t n = coordinates.size() / static_cast<std::size_t>(dimension);
-  ExtremeHull result{std::make_unique<HullState>(dimension), {}};
+  ExtremeHull result{std::make_unique<HullState>(dimension), {}, {}};
   PointSieve sieve(coordinates, dimension, 0, options.threads);
   std::unique_ptr<HullState> before;
   if (dimension > 1 && n >= least_rows) sieve.run();

@@ -4,6 +4,7 @@
 // too.
 #pragma once
 
+#include "hull/hull_analysis.hpp"
 #include "hull/hull_state.hpp"
 
 #include <delone/options.hpp>
@@ -18,6 +19,8 @@ namespace delone::hull {
 struct ExtremeHull {
   std::unique_ptr<HullState> state;
   std::vector<Index> rows;  ///< for each row of the state, the row of the input
+  /// Of the state, which must not change as long as this is there; nothing if there is a tolerance.
+  std::unique_ptr<HullAnalysis> analysis;
 };
 
 /// The hull of a subset of the rows that contains all extreme points; only these are vertices of cells,

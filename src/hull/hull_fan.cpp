@@ -42,13 +42,16 @@ CentralView view_from_inside(const BoundarySites& sites, const std::vector<Index
   view.center.assign(static_cast<std::size_t>(sites.ambient), 0.0);
   std::vector<const double*> points;
   for (const Index site : simplex) points.push_back(sites.point(site));
-  const kernel::Flat flat = sites.flat();
-  const Sign orientation = kernel::orientation<0>(flat, points.data(), sites.grid);
+  const auto orientation_of = [flat = sites.flat()](const double* const* of, const kernel::Grid& grid) {
+    return internal::with_compiled_dimension<1, 6>(
+        flat.axes.size(), [&](auto k) { return kernel::orientation<k()>(flat, of, grid); });
+  };
+  const Sign orientation = orientation_of(points.data(), sites.grid);
   view.is_inside =
       choose_interior_point(sites, simplex, view.center, [&](const double* point, const kernel::Grid& grid) {
         for (std::size_t i = 0; i < points.size(); ++i) {
           const double* const vertex = std::exchange(points[i], point);
-          const Sign side = kernel::orientation<0>(flat, points.data(), grid);
+          const Sign side = orientation_of(points.data(), grid);
           points[i] = vertex;
           if (side != orientation) return false;
         }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The hyperplane through k points of R^k in binary64 with certified bounds, from one elimination, O(k³): its
-// outward normal (the filter of check() and the equations of facets), the (k−1)-volume of the simplex of
-// the points, and the k-volume of its join with a point. Proof: docs/predicates.md, "Normals of hull cells".
+// The hyperplane through k points of R^k in binary64 with certified bounds, from one elimination, O(k³), or,
+// in code compiled for k = 3 and 4, from minors: its outward normal (the filter of check() and the equations
+// of facets), the (k−1)-volume of the simplex of the points, and the k-volume of its join with a point.
+// Proof: docs/predicates.md, "Normals of hull cells".
 //
 // With edges e_1 … e_(k−1), N·x = det(x, e_1, …, e_(k−1)) is positive outwards for a cell oriented as in
 // simplicial_hull.hpp, and |N| is (k−1)! times the volume. Scaling the edges to length about 1 by powers of
@@ -59,6 +60,7 @@ class HullNormal {
       for (std::size_t j = 0; j < k(); ++j) edge[j] *= scale;
       exponent += biased - 1023;
     }
+    if constexpr (D == 3 || D == 4) return finish_by_minors(exponent, reversed);
     std::copy_n(edges_.data(), (k() - 1) * k(), factors_.data());
     const int n = static_cast<int>(k()) - 1;
     constexpr int N = D > 1 ? D - 1 : 0;
@@ -126,6 +128,52 @@ class HullNormal {
   }
 
  private:
+  /// N of two or three edges by its minors, each beside the sum of the magnitudes of its terms.
+  bool finish_by_minors(int exponent, bool reversed) requires(D == 3 || D == 4) {
+    constexpr int roundings = D == 3 ? 4 : 8;  // of a term: of its entries, of products and of sums
+    const double* const e = edges_.data();
+    double magnitudes[D];
+    const auto minor = [](const double* u, const double* v, int i, int j, double& magnitude) {
+      const double first = u[i] * v[j], second = u[j] * v[i];
+      magnitude = std::fabs(first) + std::fabs(second);
+      return first - second;
+    };
+    if constexpr (D == 3) {
+      for (int j = 0; j < 3; ++j)
+        normal_[static_cast<std::size_t>(j)] = minor(e, e + 3, (j + 1) % 3, (j + 2) % 3, magnitudes[j]);
+    } else {
+      const double *const u = e + 4, *const v = e + 8;
+      double m01, m02, m03, m12, m13, m23;
+      const double d01 = minor(u, v, 0, 1, m01), d02 = minor(u, v, 0, 2, m02), d03 = minor(u, v, 0, 3, m03),
+                   d12 = minor(u, v, 1, 2, m12), d13 = minor(u, v, 1, 3, m13), d23 = minor(u, v, 2, 3, m23);
+      const double a0 = std::fabs(e[0]), a1 = std::fabs(e[1]), a2 = std::fabs(e[2]), a3 = std::fabs(e[3]);
+      normal_[0] = e[1] * d23 - e[2] * d13 + e[3] * d12;
+      normal_[1] = e[2] * d03 - e[0] * d23 - e[3] * d02;
+      normal_[2] = e[0] * d13 - e[1] * d03 + e[3] * d01;
+      normal_[3] = e[1] * d02 - e[0] * d12 - e[2] * d01;
+      magnitudes[0] = a1 * m23 + a2 * m13 + a3 * m12;
+      magnitudes[1] = a2 * m03 + a0 * m23 + a3 * m02;
+      magnitudes[2] = a0 * m13 + a1 * m03 + a3 * m01;
+      magnitudes[3] = a1 * m02 + a0 * m12 + a2 * m01;
+    }
+    double largest = 0;
+    for (std::size_t j = 0; j < D; ++j) largest = std::max(largest, std::fabs(normal_[j]));
+    if (!(largest > 1e-200)) return false;
+    double square = 0, square_of_errors = 0;
+    for (std::size_t j = 0; j < D; ++j) {
+      normal_[j] /= largest;
+      if (reversed) normal_[j] = -normal_[j];
+      square += normal_[j] * normal_[j];
+      square_of_errors += magnitudes[j] * magnitudes[j];
+    }
+    length_ = std::sqrt(square);
+    error_ = 1.01 * ((roundings * kernel::unit_roundoff * std::sqrt(square_of_errors) + 1e-290) / largest +
+                     kernel::unit_roundoff * length_);
+    weight_ = times_power(largest, exponent);
+    weight_error_ = 0;
+    return error_ < 0.125 * length_;
+  }
+
   std::size_t k() const { return D > 0 ? static_cast<std::size_t>(D) : k_; }
   /// x·2^exponent.
   static double times_power(double x, int exponent) {
@@ -148,9 +196,10 @@ class HullNormal {
 };
 
 /// Certified normals of many cells, stored by the caller as records, and the sides that they prove.
-class HullNormals {
+template <int D>
+class HullNormalsIn {
  public:
-  explicit HullNormals(int k) : normal_(k), k_(static_cast<std::size_t>(k)) {}
+  explicit HullNormalsIn(int k) : normal_(k), k_(static_cast<std::size_t>(k)) {}
 
   std::size_t stride() const { return k_ + 1; }
 
@@ -183,9 +232,10 @@ class HullNormals {
   }
 
  private:
-  HullNormal<0> normal_;
+  HullNormal<D> normal_;
   std::size_t k_;
   std::vector<const double*> points_;
 };
+using HullNormals = HullNormalsIn<0>;
 
 }  // namespace delone::hull

@@ -4,6 +4,7 @@
 // times the permanent of the magnitudes (docs/predicates.md, "Double-double"). Coordinates are scaled by
 // powers of two, each axis to at most 1, and so are lifts.
 #include "kernel/double_double_stage.hpp"
+#include "kernel/double_double_determinant.hpp"
 
 #include "base/compiled_dimension.hpp"
 #include "kernel/determinant_grid.hpp"
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace delone::kernel {
 namespace {
@@ -135,6 +137,28 @@ std::optional<Sign> sphere_by_minors(const Flat& flat, const double* const* poin
 }
 
 }  // namespace
+
+/// Each row is scaled to at most 1. A term of the determinant has an entry of each row, so it is a multiple
+/// of the product of their units.
+std::optional<Sign> double_double_determinant(std::span<const int> axes, const double* const* rows) {
+  if (axes.empty() || axes.size() > most_columns) return std::nullopt;
+  Rows scaled_rows(axes.size());
+  std::int64_t unit_exponent = 0;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    double largest = 0;
+    int unit = std::numeric_limits<int>::max();
+    for (const int axis : axes) {
+      largest = std::max(largest, std::fabs(rows[i][axis]));
+      unit = std::min(unit, trailing_exponent(rows[i][axis]));
+    }
+    if (largest == 0) return Sign::zero;
+    if (!(largest < largest_difference)) return std::nullopt;
+    const auto [scale, exponent] = detail::normalisation(largest);
+    for (std::size_t c = 0; c < axes.size(); ++c) scaled_rows.set(i, c, {rows[i][axes[c]] * scale, 0.0});
+    unit_exponent += unit - exponent;
+  }
+  return sign_of(scaled_rows, 0, unit_exponent);
+}
 
 std::optional<Sign> double_double_orientation(const Flat& flat, const double* const* points,
                                               const double* base) {

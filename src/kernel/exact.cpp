@@ -49,9 +49,9 @@ Integer to_integer(double x, int grid) {
 /// An integer modulo 2^(64·Limbs), lowest limb first: a signed one of 64·Limbs bits in two's complement.
 template <int Limbs>
 struct WideInteger {
-  std::uint64_t limbs[Limbs] = {};
+  std::uint64_t limbs[Limbs];
 
-  WideInteger() = default;
+  WideInteger() = default;  // uninitialised: a table has room for more minors than most determinants have
   explicit WideInteger(const Int128& x) {
     const TwoWords size = magnitude(x);
     const std::uint64_t sign = x < 0 ? ~std::uint64_t{0} : 0;  // −size is the complement of size, plus 1
@@ -93,6 +93,7 @@ Sign sign_by_wide_minors(const std::vector<Int128>& a, int n) {
       sum = WideInteger<Limbs>(entries[std::countr_zero(subset)]);
       continue;
     }
+    std::ranges::fill(sum.limbs, std::uint64_t{0});
     bool negate = (row & 1) != 0;
     for (std::size_t rest = subset; rest != 0; rest &= rest - 1, negate = !negate) {
       const int c = std::countr_zero(rest);
@@ -303,7 +304,10 @@ Sign exact_sphere(const Flat& flat, const double* const* points, const double* q
   return Problem(flat, points, q, true).sign();
 }
 
+/// Rows are no differences that cancel, so twice the precision of binary64 tells nearly all signs that are
+/// not zero, in a fifth of the time of integers.
 Sign exact_determinant(std::span<const int> axes, const double* const* rows) {
+  if (const auto sign = double_double_determinant(axes, rows)) return *sign;
   const int row_size = axes.empty() ? 0 : *std::max_element(axes.begin(), axes.end()) + 1;
   return Problem(Flat{row_size, axes, RowForm::homogeneous}, rows, nullptr, false).sign();
 }

@@ -4,8 +4,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -32,9 +34,13 @@ class Grid {
 
   /// `point`: `ambient` coordinates, then the weight if points have one.
   void include(const double* point) {
+    if (note(point)) measure();
+  }
+  /// All points of a range, point_at(0) … point_at(n − 1): once they are known, the grid is measured once.
+  template <class PointAt>
+  void include_all(std::size_t n, PointAt point_at) {
     bool changed = false;
-    for (std::size_t j = 0; j < axes_.size(); ++j) changed = axes_[j].include(point[j]) || changed;
-    if (weighted_) changed = weight_.include(point[axes_.size()]) || changed;
+    for (std::size_t i = 0; i < n; ++i) changed = note(point_at(i)) || changed;
     if (changed) measure();
   }
   /// Changes whenever any of the following does; 0 as long as there is no point.
@@ -66,6 +72,8 @@ class Grid {
 
  private:
   static constexpr int unlimited = std::numeric_limits<int>::max();
+  /// With `moderate` below: products of 14 entries stay within 2^±1000.
+  static constexpr std::size_t most_axes = 12;
 
   struct Axis {
     int exponent = unlimited;
@@ -83,6 +91,25 @@ class Grid {
     }
   };
 
+  /// Returns whether that changed anything, after which measure() is due.
+  bool note(const double* point) {
+    bool changed = false;
+    for (std::size_t j = 0; j < axes_.size(); ++j) changed = axes_[j].include(point[j]) || changed;
+    if (weighted_) changed = weight_.include(point[axes_.size()]) || changed;
+    return changed;
+  }
+
+  /// log2(n!) for the few dimensions in which a grid can be small.
+  static double log2_of_factorial(std::size_t n) {
+    static const auto all = [] {
+      std::array<double, most_axes + 2> logarithms{};
+      for (std::size_t i = 2; i < logarithms.size(); ++i)
+        logarithms[i] = logarithms[i - 1] + std::log2(static_cast<double>(i));
+      return logarithms;
+    }();
+    return all[n];
+  }
+
   void measure() {
     ++revision_;
     finest_ = unlimited;
@@ -92,9 +119,10 @@ class Grid {
     lift_exponent_ = finest_ == unlimited ? unlimited : 2 * finest_;
     if (weights_differ) lift_exponent_ = std::min(lift_exponent_, weight_.exponent);
     is_tiny_ = false;
-    is_small_ = axes_.size() <= 12;  // with `moderate` below: products of 14 entries stay within 2^±1000
-    double bits = 0;                 // of the product of the columns' largest entries
-    int widest = 0;                  // bits of the largest difference in units of the finest grid
+    is_small_ = axes_.size() <= most_axes;
+    if (!is_small_) return;
+    double bits = 0;  // of the product of the columns' largest entries
+    int widest = 0;   // bits of the largest difference in units of the finest grid
     for (const Axis& axis : axes_) {
       if (!(axis.high > axis.low)) continue;
       const double range = axis.high - axis.low;
@@ -108,7 +136,7 @@ class Grid {
       bits += top - axis.exponent;
       widest = std::max(widest, top - finest_);
     }
-    double lift_bits = 2.0 * widest + std::ceil(std::log2(static_cast<double>(axes_.size())));
+    double lift_bits = 2.0 * widest + std::bit_width(axes_.size() - 1);
     if (weights_differ) {
       const double range = weight_.high - weight_.low;
       if (!std::isfinite(range)) {
@@ -124,7 +152,7 @@ class Grid {
       lift_bits = 1 + std::max(lift_bits, static_cast<double>(top - lift_exponent_));
     }
     bits += lift_bits;
-    for (std::size_t i = 2; i <= axes_.size() + 1; ++i) bits += std::log2(static_cast<double>(i));
+    bits += log2_of_factorial(axes_.size() + 1);
     if (bits > 53) is_small_ = false;
     if (is_small_) weigh_axes();
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kernel/predicates.hpp"
 
+#include "base/compiled_dimension.hpp"
 #include "base/require_finite.hpp"
 #include "kernel/hull_stages.hpp"
 
@@ -25,8 +26,8 @@ std::vector<const double*> positively_oriented(std::span<const double* const> po
 
 Grid grid_of(std::span<const double* const> points, const double* q, const Flat& flat) {
   Grid grid(flat.ambient, flat.weighted());
-  for (const double* p : points) grid.include(p);
-  if (q != nullptr) grid.include(q);
+  const std::size_t n = points.size() + (q != nullptr ? 1 : 0);
+  grid.include_all(n, [&](std::size_t i) { return i < points.size() ? points[i] : q; });
   return grid;
 }
 
@@ -113,7 +114,10 @@ int AffineHull::separating_axis(const double* p) const {
     if (std::binary_search(axes_.begin(), axes_.end(), axis)) continue;
     std::vector<int> axes = axes_;
     axes.insert(std::upper_bound(axes.begin(), axes.end(), axis), axis);
-    if (orientation<0>(Flat{ambient_, axes}, simplex.data(), grid) != Sign::zero) return axis;
+    const Sign sign = internal::with_compiled_dimension<1, 6>(axes.size(), [&](auto k) {
+      return orientation<k()>(Flat{ambient_, axes}, simplex.data(), grid);
+    });
+    if (sign != Sign::zero) return axis;
   }
   return -1;
 }

@@ -38,7 +38,6 @@ Index GrowingSites::add_site(const double* row, Index number, std::uint64_t tag)
   try {
     row_of_site_.push_back(number);
     coordinates.insert(coordinates.end(), row, row + row_size());
-    if (!is_homogeneous()) grid.include(row);
     table_.add(tag, site);
   } catch (...) {
     rollback(before);
@@ -47,10 +46,18 @@ Index GrowingSites::add_site(const double* row, Index number, std::uint64_t tag)
   return site;
 }
 
+Index GrowingSites::add_site(const double* row) {
+  const Index site = add_site(row, invalid_index, tag_of(row));
+  include_in_grid(site);
+  return site;
+}
+
 Index GrowingSites::add_row(const double* row) {
   reserve(0, 1);
+  const auto first = static_cast<Index>(size());
   const Index site = site_of(row, num_rows(), tag_of(row));
   site_of_row_.push_back(site);
+  include_in_grid(first);
   return site;
 }
 
@@ -78,6 +85,7 @@ void GrowingSites::add_rows(std::span<const double> rows, const std::vector<Inde
       const std::size_t row = before.rows + row_at(i);
       site_of_row_[row] = site_of(point_at(i), row, tag);
     }
+    include_in_grid(static_cast<Index>(before.sites));
   } catch (...) {
     rollback(before);
     throw;

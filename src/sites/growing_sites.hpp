@@ -32,7 +32,7 @@ class GrowingSites : public BoundarySites {
   // All that follow give the strong guarantee: they throw std::bad_alloc or succeed.
 
   /// Adds a site that no row gives.
-  Index add_site(const double* row) { return add_site(row, invalid_index, tag_of(row)); }
+  Index add_site(const double* row);
   /// Adds a row. Returns its site, which is new if it is the last one and there was none.
   Index add_row(const double* row);
   /// Adds rows; if there is a list `having_site`, increasing, only these of them have sites.
@@ -41,7 +41,9 @@ class GrowingSites : public BoundarySites {
   template <class PointOf>
   void give_sites(std::span<const Index> rows, PointOf&& point_of) {
     reserve(rows.size(), 0);
+    const auto first = static_cast<Index>(size());
     for (const Index row : rows) site_of_row_[row] = site_of(point_of(row), row, tag_of(point_of(row)));
+    include_in_grid(first);
   }
 
   /// How many rows and sites there are. What is added later can be taken back.
@@ -61,7 +63,13 @@ class GrowingSites : public BoundarySites {
     const Index found = find(point, tag);
     return found != invalid_index ? found : add_site(point, static_cast<Index>(row), tag);
   }
+  /// The grid does not know it yet: include_in_grid() follows.
   Index add_site(const double* point, Index row, std::uint64_t tag);
+  /// The sites from `first` on.
+  void include_in_grid(Index first) {
+    if (!is_homogeneous())
+      grid.include_all(size() - first, [&](std::size_t i) { return point(first + static_cast<Index>(i)); });
+  }
   void reserve(std::size_t more_sites, std::size_t more_rows);
 
   std::vector<Index> row_of_site_, site_of_row_;

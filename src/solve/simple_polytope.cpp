@@ -2,12 +2,14 @@
 #include "solve/simple_polytope.hpp"
 
 #include "base/compensated_sum.hpp"
+#include "base/compiled_dimension.hpp"
 #include "base/progress_meter.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 
 namespace delone::solve {
 
@@ -48,6 +50,10 @@ void SimplePolytope::start_measuring(bool with_centroids) {
   entries_.resize(std::max(entries_.size(), m_ + 1));
   best_normals_.resize(entries_.size());
   normal_.resize(d_);
+  // Labels may be any numbers; tables by label pay if these are few.
+  const auto largest = std::max_element(labels_.begin(), labels_.end());
+  const bool are_few = largest != labels_.end() && *largest < labels_.size();
+  is_of_origin_.assign(are_few ? *largest + 1 : 0, 0);
   bases_.clear();
   centroids_.clear();
   known_.clear();
@@ -118,27 +124,36 @@ void SimplePolytope::add_pyramid(std::size_t apex, const Face& base, std::size_t
 }
 
 double SimplePolytope::height(std::size_t corner, const Face& face, std::size_t dimension) {
+  return internal::with_compiled_dimension<2, 4>(
+      d_, [&](auto d) { return height_in<static_cast<std::size_t>(d())>(corner, face, dimension); });
+}
+
+/// D is d_, or 0.
+template <std::size_t D>
+double SimplePolytope::height_in(std::size_t corner, const Face& face, std::size_t dimension) {
+  const std::size_t d = D > 0 ? D : d_;
+  double* const normal = normal_.data();
   const double *to = x_[corner], *from = x_[face.origin], *basis = bases_.data() + face.basis;
   double before = 0, after = 0;
-  for (std::size_t j = 0; j < d_; ++j) {
-    normal_[j] = to[j] * scale_ - from[j] * scale_;
-    before += normal_[j] * normal_[j];
+  for (std::size_t j = 0; j < d; ++j) {
+    normal[j] = to[j] * scale_ - from[j] * scale_;
+    before += normal[j] * normal[j];
   }
   after = before;
   // Gram–Schmidt; a second pass makes up for cancellation in the first.
   for (int pass = 0; pass < 2 && dimension > 0; ++pass) {
-    for (std::size_t b = 0; b < dimension * d_; b += d_) {
+    for (std::size_t b = 0; b < dimension * d; b += d) {
       double dot = 0;
-      for (std::size_t j = 0; j < d_; ++j) dot += normal_[j] * basis[b + j];
-      for (std::size_t j = 0; j < d_; ++j) normal_[j] -= dot * basis[b + j];
+      for (std::size_t j = 0; j < d; ++j) dot += normal[j] * basis[b + j];
+      for (std::size_t j = 0; j < d; ++j) normal[j] -= dot * basis[b + j];
     }
     after = 0;
-    for (std::size_t j = 0; j < d_; ++j) after += normal_[j] * normal_[j];
+    for (std::size_t j = 0; j < d; ++j) after += normal[j] * normal[j];
     if (after > before / 4) break;
   }
   const double length = std::sqrt(after);
   if (length > 0)
-    for (double& x : normal_) x /= length;
+    for (std::size_t j = 0; j < d; ++j) normal[j] /= length;
   return length;
 }
 
@@ -164,6 +179,43 @@ SimplePolytope::Face SimplePolytope::measure_edge(std::size_t first, std::size_t
   return {length, origin, basis, at};
 }
 
+/// The facets that do not contain the first corner of a face, with each of its corners on them, by facet.
+/// Those through the first corner include those that contain the whole face.
+void SimplePolytope::gather(std::size_t first, std::size_t last, std::vector<Entry>& entries) {
+  constexpr std::size_t few = 16;  // are sorted sooner than all facets are counted
+  entries.clear();
+  const std::span<const std::size_t> of_origin(labels_.data() + face_[first] * m_, m_);
+  const bool has_tables = !is_of_origin_.empty();
+  const auto is_of_origin = [&](std::size_t label) {
+    return has_tables ? is_of_origin_[label] != 0
+                      : std::find(of_origin.begin(), of_origin.end(), label) != of_origin.end();
+  };
+  const auto mark_origin = [&](char mark) {
+    if (has_tables)
+      for (const std::size_t label : of_origin) is_of_origin_[label] = mark;
+  };
+  mark_origin(1);
+  for (std::size_t f = first + 1; f < last; ++f)
+    for (std::size_t i = 0; i < m_; ++i) {
+      const std::size_t label = labels_[face_[f] * m_ + i];
+      if (!is_of_origin(label)) entries.push_back({label, face_[f]});
+    }
+  mark_origin(0);
+  // Corners come in increasing order, also in the lists that are made here.
+  if (entries.size() <= few || !has_tables) {
+    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+      return a.label < b.label || (a.label == b.label && a.corner < b.corner);
+    });
+    return;
+  }
+  places_.assign(is_of_origin_.size() + 1, 0);
+  for (const Entry& entry : entries) ++places_[entry.label + 1];
+  std::partial_sum(places_.begin(), places_.end(), places_.begin());
+  sorted_.resize(entries.size());
+  for (const Entry& entry : entries) sorted_[places_[entry.label]++] = entry;
+  entries.swap(sorted_);
+}
+
 SimplePolytope::Face SimplePolytope::measure_face(std::size_t dimension, std::size_t first,
                                                   std::size_t last) {
   const std::size_t origin = face_[first];
@@ -171,17 +223,7 @@ SimplePolytope::Face SimplePolytope::measure_face(std::size_t dimension, std::si
   if (dimension == 1) return measure_edge(first, last);
   internal::cancellation_point();
   auto& entries = entries_[dimension];  // the recursion uses those of lower dimensions
-  entries.clear();
-  const std::size_t* of_origin = labels_.data() + origin * m_;
-  for (std::size_t f = first + 1; f < last; ++f)
-    for (std::size_t i = 0; i < m_; ++i) {
-      const std::size_t label = labels_[face_[f] * m_ + i];
-      // Skips the facets through the origin, which include those that contain the whole face.
-      if (std::find(of_origin, of_origin + m_, label) == of_origin + m_) entries.push_back({label, face_[f]});
-    }
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-    return a.label < b.label || (a.label == b.label && a.corner < b.corner);
-  });
+  gather(first, last, entries);
   internal::CompensatedSum sum;
   // The basis of the face is that of its facet with the largest part, plus the normal. The directions of a
   // thin facet are less accurate.

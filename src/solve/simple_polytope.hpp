@@ -64,9 +64,12 @@ class SimplePolytope {
   Face find_face(std::size_t dimension, std::size_t first, std::size_t last);
   Face measure_face(std::size_t dimension, std::size_t first, std::size_t last);
   Face measure_edge(std::size_t first, std::size_t last);
+  void gather(std::size_t first, std::size_t last, std::vector<Entry>& entries);
   /// The distance of a corner from the flat of a face. Sets normal_ to the unit vector from the flat to the
   /// corner, unless the distance is zero.
   double height(std::size_t corner, const Face& face, std::size_t dimension);
+  template <std::size_t D>
+  double height_in(std::size_t corner, const Face& face, std::size_t dimension);
 
   std::size_t m_ = 0, d_ = 0;
   std::vector<const double*> x_;
@@ -74,6 +77,9 @@ class SimplePolytope {
   std::vector<std::size_t> face_;            // a stack of lists of corners
   std::vector<std::vector<Entry>> entries_;  // by dimension
   std::vector<std::size_t> on_;              // the labels of the current face, sorted
+  std::vector<char> is_of_origin_;   // by label; 0 but while entries are gathered; empty if labels are many
+  std::vector<std::size_t> places_;  // by label, while entries are sorted
+  std::vector<Entry> sorted_;
   std::vector<double> bases_, normal_, centroids_;
   bool with_centroids_ = false;
   std::vector<std::vector<double>> best_normals_;  // by dimension

@@ -32,7 +32,7 @@ constexpr std::size_t part = 16;  // sets that a thread takes at once
 void append(const hull::ExtremeHull& hull, std::size_t first_row, ConvexHulls& all) {
   const HullState& state = *hull.state;
   const int d = all.dimension, k = state.affine_hull().dimension();
-  const HullAnalysis analysis(state);
+  const HullAnalysis& analysis = *hull.analysis;
   const auto row = [&](Index site) {
     return static_cast<SignedIndex>(first_row + hull.rows[static_cast<std::size_t>(state.row(site))]);
   };

@@ -4,6 +4,8 @@
 #include "hull/hull_normal.hpp"
 #include "hull/hull_measure.hpp"
 
+#include "base/compiled_dimension.hpp"
+
 #include "brute_force.hpp"
 #include "degenerate.hpp"
 #include "hull_support.hpp"
@@ -12,11 +14,20 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
 namespace delone::hull {
 namespace {
+
+/// Calls work(normals) with those compiled for d dimensions, and with those for any number.
+template <class Work>
+void for_both_normals(int d, Work work) {
+  internal::with_compiled_dimension(static_cast<std::size_t>(d),
+                                    [&](auto k) { work(HullNormalsIn<k()>(d)); });
+  work(HullNormals(d));
+}
 
 class HullNormalIn : public ::testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Dimensions, HullNormalIn, ::testing::Range(1, 8),
@@ -32,20 +43,23 @@ TEST_P(HullNormalIn, WhatIsCertainIsRight) {
     SCOPED_TRACE(set.name);
     const BoundarySites sites = sites_of(set.dimension, set.points);
     if (sites.size() < static_cast<std::size_t>(d) + 1) continue;
-    HullNormals normals(d);
-    std::vector<double> record(normals.stride());
-    test::Random random(3);
-    for (int i = 0; i < 40; ++i) {
-      std::vector<Index> cell;
-      for (int j = 0; j < d; ++j) cell.push_back(static_cast<Index>(random.bits() % sites.size()));
-      const double* q = sites.point(static_cast<Index>(random.bits() % sites.size()));
-      normals.compute(sites, cell, false, record.data());
-      const Sign sign = normals.side(sites, record.data(), sites.point(cell[0]), q);
-      ++all;
-      if (sign == Sign::zero) continue;
-      ++certain;
-      EXPECT_EQ(sign, compiled::side_of_sites(sites, cell, q, sites.grid, scratch));
-    }
+    for_both_normals(d, [&](auto normals) {
+      std::vector<double> record(normals.stride());
+      test::Random random(3);
+      for (int i = 0; i < 40; ++i) {
+        std::vector<Index> cell;
+        for (int j = 0; j < d; ++j) cell.push_back(static_cast<Index>(random.bits() % sites.size()));
+        const double* q = sites.point(static_cast<Index>(random.bits() % sites.size()));
+        const bool reversed = i % 2 != 0;
+        normals.compute(sites, cell, reversed, record.data());
+        const Sign sign = normals.side(sites, record.data(), sites.point(cell[0]), q);
+        ++all;
+        if (sign == Sign::zero) continue;
+        ++certain;
+        const Sign exact = compiled::side_of_sites(sites, cell, q, sites.grid, scratch);
+        EXPECT_EQ(sign, reversed ? -exact : exact);
+      }
+    });
   }
   EXPECT_GT(certain, all / 20);  // most of these points are duplicates, on one hyperplane, or next to it
 }
@@ -56,15 +70,62 @@ TEST_P(HullNormalIn, RandomPointsNeedNoExactStage) {
   test::Random random(4);
   for (int i = 0; i < 200 * d; ++i) set.points.push_back(random.real());
   const BoundarySites sites = sites_of(set.dimension, set.points);
-  HullNormals normals(d);
-  std::vector<double> record(normals.stride());
-  for (Index first = 0; first + static_cast<Index>(d) < sites.size(); first += static_cast<Index>(d) + 1) {
-    std::vector<Index> cell(static_cast<std::size_t>(d));
-    std::iota(cell.begin(), cell.end(), first);
-    normals.compute(sites, cell, false, record.data());
-    EXPECT_NE(
-        normals.side(sites, record.data(), sites.point(first), sites.point(first + static_cast<Index>(d))),
-        Sign::zero);
+  for_both_normals(d, [&](auto normals) {
+    std::vector<double> record(normals.stride());
+    for (Index first = 0; first + static_cast<Index>(d) < sites.size(); first += static_cast<Index>(d) + 1) {
+      std::vector<Index> cell(static_cast<std::size_t>(d));
+      std::iota(cell.begin(), cell.end(), first);
+      normals.compute(sites, cell, false, record.data());
+      EXPECT_NE(
+          normals.side(sites, record.data(), sites.point(first), sites.point(first + static_cast<Index>(d))),
+          Sign::zero);
+    }
+  });
+}
+
+// The normal has an entry ±1, and an exact one within its error: that orthogonal to the edges with that
+// entry.
+TEST_P(HullNormalIn, AnExactNormalIsWithinTheError) {
+  const int d = GetParam();
+  if (d < 2) return;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    test::PointSet set = test::small_integers(d, static_cast<std::size_t>(d), -1000, 1000, seed);
+    if (seed % 2 == 1)  // thin: far from the origin, and close to each other along the first axis
+      for (std::size_t i = 0; i < set.size(); ++i)
+        set.points[i * static_cast<std::size_t>(d)] = 1e6 + 0x1p-20 * static_cast<double>(i % 2);
+    const BoundarySites sites = sites_of(set.dimension, set.points);
+    if (sites.size() < static_cast<std::size_t>(d)) continue;
+    std::vector<const double*> points;
+    for (Index i = 0; i < static_cast<Index>(d); ++i) points.push_back(sites.point(i));
+    internal::with_compiled_dimension(static_cast<std::size_t>(d), [&](auto k) {
+      HullNormal<k()> normal(d);
+      if (!normal.compute(points.data(), sites.axes, false)) return;
+      const auto rows = test::scaled_to_integers(set.points, d);
+      std::vector<long double> exact;
+      for (int j = 0; j < d; ++j) {
+        test::Matrix edges;
+        for (std::size_t i = 1; i < rows.size(); ++i) {
+          edges.emplace_back();
+          for (int c = 0; c < d; ++c)
+            if (c != j)
+              edges.back().push_back(rows[i][static_cast<std::size_t>(c)] -
+                                     rows[0][static_cast<std::size_t>(c)]);
+        }
+        const auto minor = test::determinant(edges);
+        exact.push_back(static_cast<long double>(j % 2 == 0 ? minor : -minor));
+      }
+      const auto p =
+          std::find_if(normal.normal(), normal.normal() + d, [](double x) { return std::fabs(x) == 1; });
+      ASSERT_NE(p, normal.normal() + d);
+      const long double scale = *p / exact[static_cast<std::size_t>(p - normal.normal())];
+      long double square = 0;
+      for (std::size_t j = 0; j < exact.size(); ++j) {
+        const long double difference = scale * exact[j] - normal.normal()[j];
+        square += difference * difference;
+      }
+      EXPECT_LE(std::sqrt(static_cast<double>(square)), normal.error() + 1e-18) << "seed " << seed;
+      EXPECT_LE(normal.error(), seed % 2 == 0 ? 1e-9 : 0.125 * normal.length()) << "seed " << seed;
+    });
   }
 }
 

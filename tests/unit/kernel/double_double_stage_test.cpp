@@ -4,7 +4,9 @@
 #include "kernel/double_double_stage.hpp"
 
 #include "base/random.hpp"
+#include "brute_force.hpp"
 #include "kernel/direct.hpp"
+#include "kernel/double_double_determinant.hpp"
 #include "kernel/exact.hpp"
 #include "row_case.hpp"
 #include "scale.hpp"
@@ -166,6 +168,52 @@ TEST(DoubleDoubleStage, PairsTakeNoMoreThanTwelveColumns) {
   const RowCase c(RowForm::point, 12, rows);
   EXPECT_EQ(double_double_orientation(c.flat(), c.rows.data(), c.q()), std::nullopt);
   EXPECT_EQ(double_double_sphere(c.flat(), c.rows.data(), c.q()), std::nullopt);
+}
+
+/// Rows whose determinant is 0, or is not by the last bits of some entries.
+std::vector<double> nearly_dependent_rows(Kind kind, int n, random::Generator& generator) {
+  std::vector<double> all = random_rows(kind, n, n, false, generator);
+  all.resize(static_cast<std::size_t>(n * n));
+  if (n < 2 || generator.below(2) == 0) return all;
+  double* const last = all.data() + (n - 1) * n;
+  for (int c = 0; c < n; ++c) {
+    double sum = 0;
+    for (int i = 0; i + 1 < n; ++i) sum += all[static_cast<std::size_t>(i * n + c)] / 2;
+    last[c] = generator.below(2) == 0 ? sum : nudged(sum, generator);
+  }
+  return all;
+}
+
+// What is certain is right, also that a determinant is zero; of nearly all others the sign is certain.
+TEST(DoubleDoubleStage, DeterminantsOfRows) {
+  const std::size_t repetitions = test::scaled_count(100);
+  std::size_t certain = 0, zeros = 0, all = 0;
+  for (const Kind kind : kinds)
+    for (int n = 1; n <= 7; ++n) {
+      random::Generator generator(static_cast<std::uint64_t>(100 * static_cast<int>(kind) + n));
+      std::vector<int> axes;
+      for (int c = 0; c < n; ++c) axes.push_back(c);
+      for (std::size_t repetition = 0; repetition < repetitions; ++repetition) {
+        const std::vector<double> entries = nearly_dependent_rows(kind, n, generator);
+        std::vector<const double*> rows;
+        for (int i = 0; i < n; ++i) rows.push_back(entries.data() + i * n);
+        const test::Integer exact = test::determinant(test::scaled_to_integers(entries, n));
+        const Sign expected = exact > 0 ? Sign::positive : exact < 0 ? Sign::negative : Sign::zero;
+        EXPECT_EQ(exact_determinant(axes, rows.data()), expected);
+        const auto sign = double_double_determinant(axes, rows.data());
+        if (n > 6) {
+          EXPECT_FALSE(sign);
+          continue;
+        }
+        ++all;
+        if (!sign) continue;
+        ++certain;
+        zeros += *sign == Sign::zero ? 1 : 0;
+        EXPECT_EQ(*sign, expected) << "kind " << static_cast<int>(kind) << ", " << n << " rows";
+      }
+    }
+  EXPECT_GT(certain, all * 3 / 4);
+  EXPECT_GT(zeros, 0u);
 }
 
 }  // namespace

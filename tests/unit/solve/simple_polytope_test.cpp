@@ -57,6 +57,21 @@ TEST(SimplePolytope, CubesAndFlattenedCubes) {
   }
 }
 
+// The same order of labels gives the same bits, however far they are apart.
+TEST(SimplePolytope, LabelsMayBeAnyNumbers) {
+  for (std::size_t d = 2; d <= 6; ++d) {
+    BoxCorners cube(d, 1, 3);
+    for (std::size_t c = 0; c < cube.x.size(); ++c)
+      for (std::size_t j = 0; j < d; ++j)
+        cube.x[c][j] = std::sin(cube.x[c][j] * static_cast<double>(j + 1)) / 3;
+    const double volume = cube.volume();
+    EXPECT_GT(volume, 0);
+    for (auto& labels : cube.labels)
+      for (std::size_t& label : labels) label = 1000003 * label + 17;
+    EXPECT_EQ(cube.volume(), volume);
+  }
+}
+
 TEST(SimplePolytope, Simplices) {
   EXPECT_EQ(simplex_volume({{3}, {5}}), 2);
   EXPECT_NEAR(simplex_volume({{0, 0}, {3, 0}, {0, 4}}), 6, 1e-14);
