@@ -161,6 +161,14 @@ def faults_of_r(text, functions):
             yield text.count("\n", 0, section.start() + found.start()) + 1, f"R `{found[1]}()`: there is no such function"
 
 
+def faults_of_javascript(text, types):
+    """`types`: index.d.ts of the package."""
+    section = re.search(r"^## In JavaScript$.*?(?=^## |\Z)", text, re.M | re.S)
+    for found in re.finditer(r"`(\w+)`(?=[^|`]*(?:`[^`]*`[^|`]*)*\|$)", section[0] if section else "", re.M):
+        if not re.search(rf"\b{found[1]}\b", types):
+            yield text.count("\n", 0, section.start() + found.start()) + 1, f"JavaScript `{found[1]}`: the package has no such name"
+
+
 def retired_in(path, text, retired=None):
     """(line number, fault) for every retired name in the file at `path`."""
     for pattern, places, exempt, instead in RETIRED if retired is None else retired:
@@ -193,6 +201,8 @@ def faults():
     exported = re.findall(r"^export\(([^)]*)\)", (ROOT / "r/NAMESPACE").read_text(encoding="utf-8"), re.M)
     for number, fault in faults_of_r(table, {name for line in exported for name in line.split(", ")}):
         yield f"{TABLE}:{number}: {fault}"
+    for number, fault in faults_of_javascript(table, (ROOT / "js/src/index.d.ts").read_text(encoding="utf-8")):
+        yield f"{TABLE}:{number}: {fault}"
     for top in ("include", "src", "c", "cli", "python", "examples", "tests", "docs", "tools", "README.md"):
         for file in [ROOT / top] if (ROOT / top).is_file() else sorted((ROOT / top).rglob("*")):
             path = file.relative_to(ROOT).as_posix()
@@ -222,6 +232,8 @@ def self_test():
     assert not list(faults_of_table(table.format("`Side`"), cpp, command, python))
     assert len(list(faults_of_table(table.format("`Sides`"), cpp, command, python))) == 1
     in_octave = "`delone.old`\n## In Octave\n`delone.hull`\n`delone.ball`\n## Else\n`delone.other`\n"
+    in_javascript = "## In JavaScript\n| locate | `find`, `nearest` |\n## Else\n"
+    assert [number for number, _ in faults_of_javascript(in_javascript, "nearest(queries)")] == [2]
     assert [number for number, _ in faults_of_octave(in_octave, {"hull"})] == [4]
     in_r = "`old()`\n## In R\n`hull()`\n`ball()`\n## Else\n`other()`\n"
     assert [number for number, _ in faults_of_r(in_r, {"hull"})] == [4]

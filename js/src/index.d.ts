@@ -204,7 +204,6 @@ export class Hull extends Result {
   readonly numFacets: number;
   readonly numRidges: number;
   readonly numVertices: number;
-  readonly numDuplicates: number;
   readonly tolerance: number;
   readonly maxDistance: number;
   readonly points: Float64Array;
@@ -226,6 +225,7 @@ export class Hull extends Result {
 }
 export class ConvexHull extends Hull {
   constructor(points: Rows, dimension?: number, options?: ConstructionOptions & ToleranceOptions);
+  readonly numDuplicates: number;
   readonly volume: number;
   readonly volumeError: number;
   readonly area: number;

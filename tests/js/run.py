@@ -50,7 +50,7 @@ def in_chromium(package, reference):
         server.shutdown()
     failed = [f"{name}: {failure}" for name, failure in results if failure] + [str(one["message"]) for one in complaints if "favicon" not in one["message"]]
     print("\n".join(failed))
-    print(f"{len(results)} tests in Chromium, {len(failed)} failed")
+    print(f"In Chromium:\n{len(results) - len(failed)} passed, {len(failed)} failed")
     return not failed and len(results) > 100
 
 
@@ -100,6 +100,8 @@ def main():
         "Chromium": in_chromium(package, reference),
         "types": types_name_all_members(package),
         "size": is_small(package),
+        "docs/js.md": subprocess.run([sys.executable, "-B", "tools/check_docs.py", build, "--js", package, "--only", "docs/js.md"], cwd=ROOT,
+                                     check=False).returncode == 0,
     }
     for name, good in passed.items():
         print(f"{name}: {'passed' if good else 'FAILED'}")
