@@ -83,7 +83,7 @@ portable:             ## the same in a build without compiler extensions and sys
 
 mingw:                ## build for Windows with MinGW-w64, and run the unit tests under Wine
 	tools/install_dependencies.sh test mingw
-	tools/build_mingw_packages.sh $(jobs)
+	tools/build_cross_packages.sh mingw $(jobs)
 	cmake --preset mingw $(launcher)
 	cmake --build --preset mingw -j $(jobs)
 	mkdir -p build/mingw-packages/wine
@@ -138,6 +138,18 @@ r:                    ## check the R package on an installed C library in build/
 	cmake --build --preset release -j $(jobs)
 	python3 -B tests/r/run.py build/release
 
+npm:                  ## build the npm package in build/js/delone, by emscripten
+	tools/install_dependencies.sh js
+	tools/build_cross_packages.sh emscripten $(jobs)
+	cmake --preset js >/dev/null
+	cmake --build --preset js -j $(jobs)
+
+js: npm               ## test the npm package in Node and in Chromium: its results must be those of the native library
+	tools/install_dependencies.sh browser
+	cmake --preset release $(launcher) >/dev/null
+	cmake --build --preset release -j $(jobs)
+	python3 -B tests/js/run.py build/js/delone build/release
+
 bench: python         ## time the standard constructions, in some minutes
 	tools/install_dependencies.sh bench
 	python3 benchmarks/construction.py build/release/delone
@@ -149,8 +161,9 @@ paper:                ## repeat the experiments of the report in build/paper, in
 	cmake --build --preset bench -j $(jobs)
 	PYTHONPATH=benchmarks $(python_with_plots) -m paper --build build/bench $(if $(QUICK),--quick) $(if $(DOCS),--docs) $(if $(HULL),--hull $(HULL)) $(PAPER)
 
-site: pictures        ## build the documentation as a site in build/site: pages, and references of Python, C++ and the command
+site: pictures        ## build the documentation as a site in build/site: pages, references of Python, C++ and the command, and the page to try it if emscripten is there
 	tools/install_dependencies.sh site
+	if command -v em++ >/dev/null; then $(MAKE) npm; fi
 	for p in $(python_of_build) python3 /usr/bin/python3; do if $$p -c "import furo, myst_parser, numpy" 2>/dev/null; then exec $$p -B tools/make_site.py build/release; fi; done; exit 1
 
 pictures: python      ## make the pictures of the documentation again that are stale
@@ -163,6 +176,7 @@ docs: pictures        ## run the examples of the documentation and follow its li
 browser: site         ## test the site in Chromium, as on a phone, and the pages of `delone view`
 	tools/install_dependencies.sh browser
 	SITE=build/site /usr/bin/python3 -B tests/site/test_in_browser.py
+	SITE=build/site /usr/bin/python3 -B tests/site/test_try.py
 	DELONE=build/release/delone /usr/bin/python3 -B tests/site/test_viewer.py
 
 viewer:               ## build viewer/dist/viewer.html, the page that results are embedded in (needs Node and npm)

@@ -6,6 +6,7 @@ option(DELONE_PORTABLE "Standard C++ only: none of the extensions of GNU compile
 option(DELONE_BUILD_CLI "Build the command `delone`" ${PROJECT_IS_TOP_LEVEL})
 option(DELONE_BUILD_C "Build the C interface, a shared library" ${PROJECT_IS_TOP_LEVEL})
 option(DELONE_BUILD_PYTHON "Build the Python module `delone` (needs pybind11, and a Python with NumPy)" OFF)
+option(DELONE_BUILD_JS "Build the npm package `delone` (needs emscripten: the preset js)" OFF)
 option(DELONE_INSTALL "Install rules and the CMake package" ${PROJECT_IS_TOP_LEVEL})
 option(DELONE_DEVELOPER_MODE "Build the tests and the examples" OFF)
 option(DELONE_BUILD_BENCHMARKS "Build the programs of benchmarks/internal, and of benchmarks/rivals, one for each peer that is installed (some of those are GPL)" OFF)

@@ -10,7 +10,7 @@ endif()
 # standard library's templates are not hidden by the compiler, nor are the archives that are linked in.
 function(delone_exports target map)
   set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${DELONE_API_VERSION})
-  if(UNIX AND NOT APPLE AND NOT DELONE_SANITIZE)
+  if(UNIX AND NOT APPLE AND NOT EMSCRIPTEN AND NOT DELONE_SANITIZE)
     get_filename_component(name ${map} NAME_WLE)
     configure_file(${map} ${CMAKE_CURRENT_BINARY_DIR}/${name} @ONLY)
     target_link_options(${target} PRIVATE -Wl,--version-script=${CMAKE_CURRENT_BINARY_DIR}/${name})

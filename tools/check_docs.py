@@ -5,6 +5,7 @@
 Usage: check_docs.py BUILD_DIR [--compiler CXX] [--c-compiler CC] [--python PYTHON]
                                    BUILD_DIR holds libdelone, libdelone_c and the command, and for PYTHON the module;
                                    without PYTHON its examples are left out
+       check_docs.py BUILD_DIR --js PACKAGE --only docs/js.md
        check_docs.py BUILD_DIR --octave FOLDER ... --only docs/octave.md
                                    the same for one document; the FOLDERs hold the installed Octave package, without
                                    which its examples are left out
@@ -124,6 +125,9 @@ class Runner:
     def __init__(self, build, compilers, interpreters, scratch):
         self.build, self.compilers, self.scratch, self.programs = build, compilers, scratch, 0
         self.python, self.octave, self.r, self.r_blocks = interpreters["python"], interpreters["octave"], interpreters["r"], []
+        if interpreters["js"]:
+            (scratch / "node_modules").mkdir()
+            (scratch / "node_modules/delone").symlink_to(interpreters["js"])
         self.session = None
         (scratch / "data").symlink_to(ROOT / "data")
         (scratch / "include").symlink_to(ROOT / "include")
@@ -165,10 +169,14 @@ class Runner:
             program = self.scratch / "program.m"
             program.write_text("".join(f'addpath ("{folder}");\n' for folder in self.octave) + body, encoding="utf-8")
             command = ["octave-cli", "--norc", "--no-history", str(program)]
+        elif language == "js":
+            program = self.scratch / "program.mjs"
+            program.write_text(body, encoding="utf-8")
+            command = ["node", str(program)]
         elif language == "r":
             return self.run_r(body)
         else:
-            raise DocsError(f"marked to run, but its language is '{language}' and not cpp, c, sh, python, octave or r")
+            raise DocsError(f"marked to run, but its language is '{language}' and not cpp, c, sh, python, octave, r or js")
         done = subprocess.run(command, cwd=self.scratch, env=self.environment, stdin=subprocess.DEVNULL, capture_output=True,
                               text=True, timeout=300)
         return done.returncode, done.stdout + done.stderr
@@ -354,6 +362,7 @@ def main():
     parser.add_argument("--python", help="a Python for which BUILD_DIR/python holds the module")
     parser.add_argument("--octave", nargs="+", help="the folders of the installed Octave package")
     parser.add_argument("--r", type=lambda folder: pathlib.Path(folder).resolve(), help="the library of R that holds the installed package")
+    parser.add_argument("--js", type=lambda folder: pathlib.Path(folder).resolve(), help="the folder of the npm package")
     parser.add_argument("--only", help="the one document to check")
     parser.add_argument("--prose", action="store_true", help="only measure prose, follow links and look for files")
     parser.add_argument("--self-test", action="store_true", help="only show that the rules of prose find what they should")
@@ -374,7 +383,7 @@ def main():
         faults += prose_faults(name, path.read_text(encoding="utf-8"))
         if not arguments.prose:
             compilers = {"cpp": arguments.compiler, "c": arguments.c_compiler}
-            interpreters = {"python": arguments.python, "octave": arguments.octave, "r": arguments.r}
+            interpreters = {"python": arguments.python, "octave": arguments.octave, "r": arguments.r, "js": arguments.js}
             run, not_run = check_blocks(path, arguments.build.resolve(), compilers, interpreters, faults)
             blocks, left_out = blocks + run, left_out + not_run
     if blocks == 0 and not faults and not arguments.prose:

@@ -73,6 +73,7 @@ RULES = {
     # On the C interface alone.
     "octave": ({"delone.h"}, set()),
     "r": ({"delone.h"}, set()),
+    "js": ({"delone.h"}, set()),
     "cli": (PUBLIC, {"src/messages"}),
     "examples": (PUBLIC, set()),
     "benchmarks": (PUBLIC, {"tests/support"}),
@@ -210,7 +211,7 @@ def table_of_rules():
 def violations():
     exists = lambda candidate: (ROOT / candidate).is_file()
     includes = set()  # pairs of rooms
-    for top in ("include", "src", "c", "octave", "r", "mpi", "cli", "examples", "benchmarks", "tests"):
+    for top in ("include", "src", "c", "octave", "r", "js", "mpi", "cli", "examples", "benchmarks", "tests"):
         for file in sources_of(top):
             path = file.relative_to(ROOT).as_posix()
             text = file.read_text(encoding="utf-8")

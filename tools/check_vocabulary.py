@@ -173,6 +173,14 @@ def faults_of_languages(text, c, r, octave):
                 yield number, f"Octave `{spelling}`: there is no such function"
 
 
+def faults_of_javascript(text, types):
+    """`types`: index.d.ts of the package."""
+    section = re.search(r"^## In JavaScript$.*?(?=^## |\Z)", text, re.M | re.S)
+    for found in re.finditer(r"`(\w+)`(?=[^|`]*(?:`[^`]*`[^|`]*)*\|$)", section[0] if section else "", re.M):
+        if not re.search(rf"\b{found[1]}\b", types):
+            yield text.count("\n", 0, section.start() + found.start()) + 1, f"JavaScript `{found[1]}`: the package has no such name"
+
+
 def retired_in(path, text, retired=None):
     """(line number, fault) for every retired name in the file at `path`."""
     for pattern, places, exempt, instead in RETIRED if retired is None else retired:
@@ -205,6 +213,8 @@ def faults():
     octave = {file.stem: set(re.findall(r"^ +function (?:.*= *)?(\w+) \(", file.read_text(encoding="utf-8"), re.M))
               for file in (ROOT / "octave/inst/+delone").glob("*.m")}
     for number, fault in faults_of_languages(table, c, {name for line in exported for name in line.split(", ")}, octave):
+        yield f"{TABLE}:{number}: {fault}"
+    for number, fault in faults_of_javascript(table, (ROOT / "js/src/index.d.ts").read_text(encoding="utf-8")):
         yield f"{TABLE}:{number}: {fault}"
     for top in ("include", "src", "c", "cli", "python", "examples", "tests", "docs", "tools", "README.md"):
         for file in [ROOT / top] if (ROOT / top).is_file() else sorted((ROOT / top).rglob("*")):
@@ -239,6 +249,8 @@ def self_test():
     for parts, count in [(("a", "", "", ""), 0), (("z", "", "", ""), 1), (("a", "`delone_b()`", "", ""), 1), (("a", "", "`b()`", ""), 1),
                          (("a", "", "", "`delone.b`, `delone.a.c`"), 2)]:
         assert len(list(faults_of_languages(table.format("`Side`") + "\n" + languages.format(*parts), *known))) == count, parts
+    in_javascript = "## In JavaScript\n| locate | `find`, `nearest` |\n## Else\n"
+    assert [number for number, _ in faults_of_javascript(in_javascript, "nearest(queries)")] == [2]
     assert list(faults_of_table("nothing", cpp, command, python))
     retired = [(r"\bgiven\b", ["docs/**/*", "cli/*"], ["docs/old.md"], "as_given")]
     assert len(list(retired_in("docs/a/b.md", "x\nas given\n", retired))) == 1

@@ -23,6 +23,7 @@ mingw=(g++-mingw-w64-x86-64-posix wine wine64 dpkg-dev googletest)
 aarch64=(g++-aarch64-linux-gnu qemu-user-static python3)
 s390x=(g++-s390x-linux-gnu qemu-user-static python3)
 libcxx=(clang libc++-dev libc++abi-dev googletest python3)
+js=(emscripten nodejs python3 python3-numpy dpkg-dev googletest brotli node-typescript)
 octave=(octave octave-dev gnuplot-nox fonts-freefont-otf pkgconf python3)
 r=(r-base-core r-base-dev r-cran-testthat r-cran-knitr r-cran-rmarkdown r-cran-rgl r-cran-geometry r-cran-roxygen2 pandoc qpdf devscripts
    apt python3)
@@ -40,6 +41,7 @@ for group in "${@:-build}"; do
     lint) wanted+=("${build[@]}" "${lint[@]}") ;;
     clang) wanted+=("${build[@]}" "${clang[@]}") ;;
     mingw) wanted+=("${build[@]}" "${mingw[@]}") ;;
+    js) wanted+=("${build[@]}" "${js[@]}") ;;
     octave) wanted+=("${build[@]}" "${octave[@]}") ;;
     r) wanted+=("${build[@]}" "${r[@]}") ;;
     mpi) wanted+=("${build[@]}" "${mpi[@]}") ;;

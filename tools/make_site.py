@@ -7,7 +7,7 @@ Usage: make_site.py BUILD_DIR [-o build/site]
 BUILD_DIR holds the command and, in python/, the module for the Python that runs this; that Python has Sphinx, myst_parser and furo.
 The pages are gathered in OUT/../site-pages: docs/site/*.md and docs/*.md at its top, the others where they are in the tree. Links between
 pages, and to files of the tree, are rewritten accordingly; a link to a folder goes to a page that lists it. Any warning is an error. Then
-every link and anchor of the finished site is followed.
+every link and anchor of the finished site is followed. The page to try delone computes with build/js/delone, which `make npm` makes.
 """
 import argparse
 import html.parser
@@ -209,6 +209,15 @@ def bundle_theme(site):
         styles.write_text((pathlib.Path("/usr/share") / imported[1]).read_text(encoding="utf-8") + text[imported.end():], encoding="utf-8")
 
 
+def add_package(site):
+    """Copies the npm package, without which the page to try delone says how to make it."""
+    package = ROOT / "build" / "js" / "delone"
+    if (package / "module.wasm").is_file():
+        shutil.copytree(package, site / "_static" / "delone")
+    else:
+        print("make_site.py: try.html has nothing to compute with; `make npm` makes it, with emscripten")
+
+
 def broken_links(site):
     """The links of the site's pages to files and anchors that are not there."""
     pages = {path: Page(path.read_text(encoding="utf-8")) for path in sorted(site.rglob("*.html"))}
@@ -244,6 +253,7 @@ def main():
         subprocess.run([sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-b", "html", "-d", str(scratch.parent / "site-doctrees"),
                         "-c", str(ROOT / "docs" / "site"), str(stage), str(site)], check=True, env=environment)
         bundle_theme(site)
+        add_package(site)
     except (command_manual.HelpError, OSError, subprocess.CalledProcessError) as error:
         sys.exit(f"make_site.py: {error}")
     faults = list(broken_links(site))

@@ -31,6 +31,7 @@ KINDS = {
     "trixie": "Debian 13: Python 3.13, NumPy 2, g++ 14",
     "packages": "Debian packages in a clean system",
     "octave": "the Octave package, and Octave's own tests",
+    "js": "WebAssembly, in Node and in Chromium",
     "browser": "the site in Chromium",
 }
 

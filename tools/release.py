@@ -57,6 +57,7 @@ PLACES = {
     "docs/guide.md": r"find_package\(delone ([\d.]+)",
     "docs/install.md": r"GIT_TAG v([\d.]+)",
     "docs/c.md": r"libdelone_c\.so\.(\d+\.\d+)",
+    "js/package.json": r"\"version\": *\"([^\"]+)\"",
     "octave/DESCRIPTION": r"^Version: ([\d.]+)",
     "docs/octave.md": r"delone-([\d.]+)\.tar\.gz",
     "debian/changelog": r"^delone \(([\d.]+)",

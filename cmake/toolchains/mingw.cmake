@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # 64-bit Windows from Debian, by mingw-w64 with its POSIX threads, which std::thread needs. Programs that the build runs, and tests,
-# run under Wine. Other libraries come from build/mingw-packages (tools/build_mingw_packages.sh).
+# run under Wine. Other libraries come from build/mingw-packages (tools/build_cross_packages.sh).
 set(CMAKE_SYSTEM_NAME Windows)
 set(CMAKE_SYSTEM_PROCESSOR x86_64)
 set(CMAKE_C_COMPILER x86_64-w64-mingw32-gcc-posix)

@@ -44,7 +44,7 @@ class CellMover {
 
   void run() noexcept {
     for (std::size_t s = 0; s < starts_.size(); ++s) {
-      sources_[starts_[s]] |= (s + 1) << 32;
+      sources_[starts_[s]] |= std::uint64_t{s + 1} << 32;
       set_aside(starts_[s], s);
     }
     internal::parallel_for(threads_, starts_.size(), 256,

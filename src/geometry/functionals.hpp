@@ -149,7 +149,7 @@ class Functionals {
                                                frame_constants(), scratch_.data(), weak_.data()});
     const auto adopted = std::remove_if(weak_.begin(), weak_.begin() + static_cast<std::ptrdiff_t>(num_weak),
                                         [&](std::uint32_t f) { return adopt(facets[f], query_row, bounds); });
-    const std::span<std::uint32_t> weak{weak_.begin(), adopted};
+    const auto weak = std::span(weak_).first(static_cast<std::size_t>(adopted - weak_.begin()));
     if constexpr (Lifted && can_certify_by_edges(K))
       return weak.first(certify_by_edges(facets, weak, rows, query_row));
     return weak;

@@ -111,7 +111,8 @@ void Boundary::insert_part(std::span<const Index> sites, std::span<const std::si
                            unsigned threads, const std::function<void(std::size_t)>& tick) {
   std::vector<Index> at(sites.size());
   std::vector<char> strictly(sites.size());
-  engine_->insert_all({threads, 1, at, rounds, tick, sites, now_.insertions, strictly});
+  engine_->insert_all(
+      {threads, 1, at, rounds, tick, sites, static_cast<std::size_t>(now_.insertions), strictly});
   for (std::size_t i = 0; i < sites.size(); ++i)
     note(sites[i], at[i] == sites[i] + 1 ? Outcome::done
                    : strictly[i] != 0    ? Outcome::interior

@@ -33,9 +33,9 @@ bool are_equal(const RegionClipper::ExactCorner& a, const RegionClipper::ExactCo
 RegionCollector::RegionCollector(std::size_t d) : d_(d) { result_.dimension = static_cast<int>(d); }
 
 std::size_t RegionCollector::Hash::operator()(const Name& name) const {
-  std::size_t hash = 0;
+  std::uint64_t hash = 0;
   for (const std::size_t label : name) hash = (hash ^ label) * 0x9E3779B97F4A7C15U;
-  return hash ^ hash >> 32;
+  return static_cast<std::size_t>(hash ^ hash >> 32);
 }
 
 Index RegionCollector::number_of(const Name& name, RegionClipper& clipper, RegionClipper::Corner corner) {

@@ -1,12 +1,17 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# The libraries that delone needs, for the cross compiler mingw-w64, in build/mingw-packages/installed: of those that are headers
-# alone, links to the ones of this system; Highway, {fmt} and GoogleTest compiled from Debian's sources. Does nothing if they are there.
-#   tools/build_mingw_packages.sh [jobs]
+# The libraries that delone needs, for a cross compiler that Debian has no libraries for, in build/KIND-packages/installed: of those that
+# are headers alone, links to the ones of this system; Highway, {fmt} and, for tests, GoogleTest compiled from Debian's sources. Does
+# nothing if they are there.
+#   tools/build_cross_packages.sh mingw|emscripten [jobs]      KIND, that of cmake/toolchains/KIND.cmake
 set -euo pipefail
-jobs=${1:-$(nproc)}
+case ${1:-} in
+  mingw|emscripten) kind=$1 ;;
+  *) echo "usage: $0 mingw|emscripten [jobs]" >&2; exit 64 ;;
+esac
+jobs=${2:-$(nproc)}
 repository=$(cd "$(dirname "$0")/.." && pwd)
-packages=$repository/build/mingw-packages
+packages=$repository/build/$kind-packages
 installed=$packages/installed
 [ -e "$installed/complete" ] && exit 0
 
@@ -33,7 +38,7 @@ build() {  # name, source folder, options of CMake
   local name=$1 source=$2
   shift 2
   cmake -S "$source" -B "$packages/build/$name" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=OFF \
-    -DCMAKE_TOOLCHAIN_FILE="$repository/cmake/toolchains/mingw.cmake" -DCMAKE_INSTALL_PREFIX="$installed" "$@" >/dev/null
+    -DCMAKE_TOOLCHAIN_FILE="$repository/cmake/toolchains/$kind.cmake" -DCMAKE_INSTALL_PREFIX="$installed" "$@" >/dev/null
   cmake --build "$packages/build/$name" -j "$jobs" >/dev/null
   cmake --install "$packages/build/$name" >/dev/null
 }
