@@ -8,7 +8,7 @@ from . import _core
 
 
 def lloyd(points, *, box=None, halfspaces=None, lattice=None, steps=10, threads=0) -> np.ndarray:
-    """Moves each point to the centroid of its Voronoi cell, again and again.
+    """Move each point to the centroid of its Voronoi cell, again and again.
 
     Cells become rounder and more equal from step to step (Lloyd 1982, doi:10.1109/TIT.1982.1056489).
 
@@ -65,7 +65,7 @@ def lloyd(points, *, box=None, halfspaces=None, lattice=None, steps=10, threads=
 
 
 def prescribed_volumes(points, volumes=None, *, box=None, halfspaces=None, lattice=None, tolerance=1e-9, max_steps=100, threads=0):
-    """Finds weights for which the cells of the power diagram have given volumes: semi-discrete optimal transport.
+    """Find weights for which the cells of the power diagram have given volumes: semi-discrete optimal transport.
 
     The cells then are the cheapest way, in squared distance, to assign the points of the box to the sites.
 
