@@ -486,8 +486,7 @@ DELONE_C_API int delone_region_volumes(const delone_object* diagram, const doubl
 /* Volumes, centroids, surfaces and neighbors of the cells of the sites of a Delaunay or regular triangulation
  * that was made, without a diagram: "site_cells". low, high: NULL, or the box that cells are clipped to; with
  * it halfspaces, num_halfspaces rows of d + 1 numbers a, c of a x + c <= 0, NULL for none. Options: threads,
- * proper_faces. Errors: INVALID_ARGUMENT, UNSUPPORTED for d > 12, and for proper_faces in a box for d > 3,
- * OUT_OF_MEMORY, CANCELLED. */
+ * proper_faces. Errors: INVALID_ARGUMENT, UNSUPPORTED for d > 12, OUT_OF_MEMORY, CANCELLED. */
 DELONE_C_API int delone_site_cells(const delone_object* triangulation, const double* low, const double* high,
                                    const double* halfspaces, size_t num_halfspaces,
                                    const delone_options* options, delone_object** object);

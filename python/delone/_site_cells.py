@@ -120,7 +120,7 @@ def site_cells(self, *, neighbors=False, faces="triangulated", box=None, halfspa
     ValueError
         If an argument has another shape, or `faces` another value.
     Error
-        If d is larger than 12, or larger than 3 for proper faces in a box.
+        If d is larger than 12.
 
     See Also
     --------

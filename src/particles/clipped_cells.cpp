@@ -17,10 +17,11 @@ namespace delone::particles {
 namespace {
 
 /// x is the point nearest to a center. Coordinates of the box are doubles, so rounding does not move a
-/// coordinate across them. A value of a halfspace is off by d·u for its products and sums, and u for x.
+/// coordinate across them. Centers on a wall are not inside, as a whole face may lie there, and is part of
+/// the wall. A value of a halfspace is off by d·u for its products and sums, and u for x.
 bool is_inside(const double* x, std::size_t d, const Container& container) {
   for (std::size_t j = 0; j < d; ++j)
-    if (!(x[j] >= container.box.low[j] && x[j] <= container.box.high[j])) return false;
+    if (!(x[j] > container.box.low[j] && x[j] < container.box.high[j])) return false;
   for (std::size_t i = 0; i < container.halfspaces.size(); i += d + 1) {
     const double* const row = container.halfspaces.data() + i;
     double value = row[d], size = std::abs(row[d]);
@@ -111,7 +112,8 @@ void CellClipper::clip(Index v, std::span<const Index> neighbors, bool proper) {
   clipper_.clip(site_of(v), others_);
   measures_ = clipper_.measures();
   faces_.clear();
-  const auto add = [&](std::size_t plane, double area, std::size_t num_corners) {
+  const auto add = [&](std::size_t of_facet, double area, std::size_t num_corners) {
+    const std::size_t plane = clipper_.fixed_plane_of(of_facet);
     const bool is_wall = plane < clipper_.num_fixed_planes();
     faces_.push_back({is_wall ? ClippedFace::wall : clipper_.other_of(plane), area,
                       distance_of(plane, v, neighbors), num_corners});

@@ -284,13 +284,10 @@ SiteCells site_cells(const Triangulation& triangulation, const SiteCellsOptions&
   if (triangulation.kind() == TriangulationKind::furthest_site)
     throw Error(Errc::invalid_argument, "cells of sites are those of a Delaunay or regular triangulation");
   particles::require_supported(triangulation);
-  const auto d = static_cast<std::size_t>(triangulation.dimension());
   if (options.box)
     particles::check_container({*options.box, options.halfspaces}, triangulation.dimension());
   else
     particles::refuse_halfspaces(options);
-  if (options.box && options.faces == CellFaces::proper && d > 3)
-    throw Error(Errc::unsupported, "proper faces of clipped cells are available up to dimension 3");
   return internal::guarded("the cells of sites", [&] {
     const internal::ProgressMeter meter(how.progress);
     return particles::SiteCellsMaker(triangulation, nullptr, options, how.threads).run();

@@ -35,6 +35,7 @@ RegionClipper::RegionClipper(const Box& box, bool furthest, std::span<const doub
     extent_ = std::max(extent_, 2 * side);
     is_moderate_ = is_moderate_ && side > least_extent && side < largest_extent;
   }
+  is_moderate_ = is_moderate_ && has_moderate_sides();
   matrix_.resize(d_ * d_);
   work_.resize(d_ * d_);
   inverse_.resize(d_ * d_);
@@ -319,6 +320,8 @@ void RegionClipper::link_new_corners(std::size_t plane) {
 }
 
 double RegionClipper::volume() {
+  if (const std::vector<int> exponents = exponents_of_extents(); !exponents.empty())
+    return measures_by_axis(exponents).volume;
   if (d_ >= 4 && is_moderate_)
     if (const auto volume = volume_by_faces()) return *volume;
   polytope_.start(d_, d_);

@@ -40,11 +40,14 @@ class RegionClipper {
   /// facets have no area if more planes than d meet in a corner.
   solve::SimplePolytope::Measures measures();
   /// The planes of the facets that are not smaller than that, decided exactly, with the numbers of their
-  /// corners. None if the region has no interior. REQUIRES d ≤ 3.
+  /// corners, 0 for d > 3. None if the region has no interior.
   struct ProperFacet {
     std::size_t plane, num_corners;
   };
   std::vector<ProperFacet> proper_facets();
+  /// The plane of the box, or of a halfspace, with the same points and the same side as the bisector `plane`,
+  /// or else `plane` itself: the site behind that bisector has no interior in the box.
+  std::size_t fixed_plane_of(std::size_t plane);
   /// The corners and faces of the clipped region, with coincident corners merged. REQUIRES d ≤ 3.
   ClippedRegion geometry();
 
@@ -76,6 +79,10 @@ class RegionClipper {
     std::vector<kernel::Integer> exact;  // a and b times a positive factor; computed on first use
   };
 
+  bool spans_plane(std::size_t plane, const std::vector<Corner>& all);
+  bool has_moderate_sides() const;
+  std::vector<int> exponents_of_extents() const;
+  solve::SimplePolytope::Measures measures_by_axis(const std::vector<int>& exponents);
   void make_box();
   void make_halfspaces();
   void make_bisectors(std::span<const Site> others);

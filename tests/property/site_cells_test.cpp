@@ -3,6 +3,7 @@
 #include "error_code.hpp"
 #include "same_bits.hpp"
 
+#include <delone/convex_hull.hpp>
 #include <delone/delaunay.hpp>
 #include <delone/furthest_site.hpp>
 #include <delone/point_sets.hpp>
@@ -19,6 +20,7 @@
 #include <map>
 #include <numeric>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -98,6 +100,29 @@ std::vector<double> weights_for(std::size_t n, double size) {
   std::vector<double> weights(n);
   for (double& w : weights) w = std::uniform_real_distribution<>(-size, size)(random);
   return weights;
+}
+
+/// Of regions that are bounded, those of the convex hulls of their vertices.
+TEST(SiteCells, AgreeWithHullsOfRegions) {
+  for (const SiteSet& set : point_sets()) {
+    if (set.d < 2 || set.d > 4) continue;
+    SCOPED_TRACE(set.name + " " + std::to_string(set.d));
+    const Regular<> t(set.points, weights_for(set.size(), 0.02), set.d);
+    if (t.affine_dimension() < set.d) continue;
+    const PowerDiagram<> diagram(t);
+    const SiteCells cells = site_cells(t);
+    for (std::size_t row = 0; row < cells.num_rows(); row += 7) {
+      const SignedIndex region = diagram.point_region()[row];
+      if (region < 0 || !(cells.volumes[row] > 0 && cells.volumes[row] < vast)) continue;
+      std::vector<double> corners;
+      for (const SignedIndex v : diagram.region(static_cast<std::size_t>(region))) {
+        const auto x = diagram.vertex(static_cast<std::size_t>(v));
+        corners.insert(corners.end(), x.begin(), x.end());
+      }
+      const double expected = ConvexHull<>(corners, set.d).volume().value;
+      EXPECT_NEAR(cells.volumes[row], expected, 1e-9 * expected + 1e-12) << row;
+    }
+  }
 }
 
 TEST(SiteCells, AgreeWithDiagrams) {
@@ -360,6 +385,92 @@ TEST(SiteCells, HaveNoRange) {
       for (int j = 0; j < 3; ++j) points.push_back({(i - 1) * size, (j - 1) * size});
     const SiteCells far = site_cells(Delaunay<2>(points));
     EXPECT_DOUBLE_EQ(far.areas[8], 4 * size);
+  }
+}
+
+/// The cells of a lattice with sides of very different lengths, in a box with walls half a side beyond it. A
+/// halfspace through opposite corners of the box takes half of it.
+TEST(SiteCells, BoxesOfAnyShape) {
+  for (const int d : {2, 3, 4})
+    for (const int exponent : {30, 200, 480}) {
+      SCOPED_TRACE(std::to_string(d) + " 2^" + std::to_string(exponent));
+      std::vector<double> sides(static_cast<std::size_t>(d)), points;
+      for (int j = 0; j < d; ++j)
+        sides[static_cast<std::size_t>(j)] = std::ldexp(1.0, j % 2 == 0 ? exponent : -exponent);
+      const int n = 1 << d;
+      Box box;
+      for (int j = 0; j < d; ++j) {
+        box.low.push_back(-0.5 * sides[static_cast<std::size_t>(j)]);
+        box.high.push_back(1.5 * sides[static_cast<std::size_t>(j)]);
+      }
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < d; ++j) points.push_back((i >> j & 1) * sides[static_cast<std::size_t>(j)]);
+      const Delaunay<> t(points, d);
+      double of_cell = 1;
+      for (const double side : sides) of_cell *= side;
+      const SiteCells cells = site_cells(t, {.faces = CellFaces::proper, .neighbors = true, .box = box});
+      for (std::size_t row = 0; row < cells.num_rows(); ++row) {
+        EXPECT_DOUBLE_EQ(cells.volumes[row], of_cell);
+        EXPECT_EQ(cells.num_faces[row], 2 * d);
+        double surface = 0;
+        for (const double side : sides) surface += 2 * (of_cell / side);
+        EXPECT_DOUBLE_EQ(cells.areas[row], surface);
+        for (std::size_t j = 0; j < sides.size(); ++j)
+          EXPECT_NEAR(cells.centroids[row * sides.size() + j], points[row * sides.size() + j],
+                      1e-13 * sides[j]);
+      }
+      std::vector<double> half(sides.size() + 1, 0.0);
+      half[0] = 1 / sides[0];
+      half[1] = 1 / sides[1];
+      half[sides.size()] = -1;
+      const SiteCells cut = site_cells(t, {.neighbors = true, .box = box, .halfspaces = half});
+      const double total = std::accumulate(cut.volumes.begin(), cut.volumes.end(), 0.0);
+      EXPECT_NEAR(total / (of_cell * n), 0.5, 1e-12);
+      EXPECT_EQ(Voronoi<>(t).region_volumes(box), cells.volumes);
+    }
+}
+
+/// Also where walls lie on bisectors, and a site behind one has no cell left. In d > 3 faces are proper, too.
+TEST(SiteCells, NeighborsInBoxesAreMutual) {
+  for (const SiteSet& set : point_sets()) {
+    if (set.d < 2 || set.d > 3 || (set.d == 3 && set.size() > 130)) continue;
+    const auto d = static_cast<std::size_t>(set.d);
+    SCOPED_TRACE(set.name + " " + std::to_string(set.d));
+    const Delaunay<> t(set.points, set.d);
+    const Regular<> regular(set.points, weights_for(set.size(), 0.02), set.d);
+    Box whole = Voronoi<>(t).bounding_box(0), walls = whole;
+    const double* const p = set.points.data();
+    const double* const q = p + d;
+    for (std::size_t j = 0; j < d; ++j) {  // for lattices often on a bisector
+      const double middle = (p[j] + q[j]) / 2 + (p[j] == q[j] ? 0.5 : 0);
+      if (middle > walls.low[j] && middle < walls.high[j]) walls.low[j] = middle;
+      if (!(whole.low[j] < whole.high[j])) whole.high[j] = walls.high[j] = whole.low[j] + 1;
+    }
+    const std::vector<const Triangulation*> triangulations{&t, &regular};
+    for (const Triangulation* triangulation : triangulations)
+      for (const Box& box : {whole, walls}) {
+        const SiteCells cells =
+            site_cells(*triangulation, {.faces = CellFaces::proper, .neighbors = true, .box = box});
+        std::set<std::pair<SignedIndex, SignedIndex>> pairs;
+        for (std::size_t row = 0; row < cells.num_rows(); ++row)
+          for (auto i = static_cast<std::size_t>(cells.neighbor_offsets[row]);
+               i < static_cast<std::size_t>(cells.neighbor_offsets[row + 1]); ++i)
+            if (cells.neighbors[i] >= 0) pairs.emplace(static_cast<SignedIndex>(row), cells.neighbors[i]);
+        for (const auto& [a, b] : pairs) EXPECT_TRUE(pairs.contains({b, a})) << a << ' ' << b;
+      }
+  }
+  std::vector<double> grid;
+  for (int i = 0; i < 81; ++i)
+    for (const int place : {i % 3, i / 3 % 3, i / 9 % 3, i / 27}) grid.push_back(place);
+  const SiteCells cells = site_cells(
+      Delaunay<4>(grid),
+      {.faces = CellFaces::proper, .neighbors = true, .box = Box{std::vector(4, 0.5), std::vector(4, 2.5)}});
+  for (std::size_t row = 0; row < 81; ++row) {
+    const bool is_inside =
+        std::all_of(grid.begin() + static_cast<std::ptrdiff_t>(4 * row),
+                    grid.begin() + static_cast<std::ptrdiff_t>(4 * row + 4), [](double x) { return x > 0; });
+    EXPECT_EQ(cells.volumes[row], is_inside ? 1 : 0);
+    EXPECT_EQ(cells.num_faces[row], is_inside ? 8 : 0);
   }
 }
 

@@ -214,6 +214,8 @@ LONG = {
                                "file.write('begin\\n60 10 real\\n' + '\\n'.join(' '.join(map(repr, row)) for row in rows.tolist()) + '\\nend\\n'); file.close()",
                                "delone.read_polyhedron(path)"),
     "delone.polyhedra_vertices": ("b = np.ones((1_000_000, 8)); A = random.standard_normal((1_000_000, 8, 3))", "delone.polyhedra_vertices(A, b)"),
+    "delone.lloyd": ("points = random.random((100_000, 3))", "delone.lloyd(points, lattice=1.0, steps=30)"),
+    "delone.prescribed_volumes": ("points = random.random((100_000, 3))", "delone.prescribed_volumes(points, lattice=1.0)"),
     "delone.FurthestVoronoi.__init__": ("t = delone.FurthestSite(sphere(1000, 6))", "delone.FurthestVoronoi(t)"),
     "delone.Voronoi.__init__": ("t = delone.Delaunay(random.random((3000, 6)))", "delone.Voronoi(t)"),
     "delone.PowerDiagram.__init__": ("t = delone.Regular(random.random((3000, 6)), np.zeros(3000))", "delone.PowerDiagram(t, tolerance=0.01)"),

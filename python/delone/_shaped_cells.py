@@ -1,0 +1,241 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Sites whose cells are as wanted: Lloyd's relaxation, and weights that give cells prescribed volumes."""
+from __future__ import annotations
+
+import numpy as np
+
+from . import _core
+
+
+def lloyd(points, *, box=None, halfspaces=None, lattice=None, steps=10, threads=0) -> np.ndarray:
+    """Move each point to the centroid of its Voronoi cell, again and again.
+
+    Cells become rounder and more equal from step to step (Lloyd 1982, doi:10.1109/TIT.1982.1056489).
+
+    Parameters
+    ----------
+    points : (n, d) array_like
+        The points.
+    box : (low, high), optional
+        Two arrays (d,): the cells are those in this box. Give it, or a lattice.
+    halfspaces : (m, d+1) array_like, optional
+        Rows [A, b] of halfspaces A x + b <= 0, which clip the cells in the box as well.
+    lattice : float or array_like, optional
+        As for `PeriodicDelaunay`, d vectors: the set is periodic, and no cell is cut. Points that leave the box are not wrapped.
+    steps : int, optional
+        How many times.
+    threads : int, optional
+        Number of threads; 0 chooses.
+
+    Returns
+    -------
+    (n, d) ndarray of float64
+        Where the points are then. A point without a cell (a duplicate of an earlier one, or one whose cell is outside of the box) stays.
+
+    Raises
+    ------
+    ValueError
+        If there is not one of box and lattice, the lattice has fewer than d vectors, or `steps` is negative.
+    InputError
+        If the points, the box, halfspaces or the lattice are not as wanted.
+
+    See Also
+    --------
+    prescribed_volumes : Weights for cells of given volumes.
+
+    Notes
+    -----
+    The sum over all cells of the second moments about their points never grows. Cost: that of a triangulation with `Delaunay.site_cells`
+    for each step.
+
+    Examples
+    --------
+    >>> import delone
+    >>> delone.lloyd([[0.25, 0], [1, 0]], box=([0, -1], [2, 1]), steps=60).round(6).tolist()
+    [[0.5, 0.0], [1.5, 0.0]]
+    """
+    region = _Region(points, box, halfspaces, lattice, threads)
+    if steps < 0:
+        raise ValueError(f"steps: at least 0, not {steps}")
+    points = region.points
+    for _ in range(steps):
+        centroids = region.cells(points).centroids
+        points = np.where(np.isnan(centroids), points, centroids)
+    return points
+
+
+def prescribed_volumes(points, volumes=None, *, box=None, halfspaces=None, lattice=None, tolerance=1e-9, max_steps=100, threads=0):
+    """Find weights for which the cells of the power diagram have given volumes: semi-discrete optimal transport.
+
+    The cells then are the cheapest way, in squared distance, to assign the points of the box to the sites.
+
+    Parameters
+    ----------
+    points : (n, d) array_like
+        The sites, which must be distinct, and each must have a Voronoi cell in the box.
+    volumes : (n,) array_like, optional
+        The volumes wanted, positive. Their sum must be the volume of the box up to 1e-9 of it; they are multiplied by the quotient. By default
+        all are equal.
+    box : (low, high), optional
+        Two arrays (d,): the cells are those in this box. Give it, or a lattice.
+    halfspaces : (m, d+1) array_like, optional
+        Rows [A, b] of halfspaces A x + b <= 0, which clip the cells in the box as well.
+    lattice : float or array_like, optional
+        As for `PeriodicRegular`, d vectors: the set is periodic.
+    tolerance : float, optional
+        Each volume may be off by so much of itself.
+    max_steps : int, optional
+        The largest number of steps of Newton's method.
+    threads : int, optional
+        Number of threads; 0 chooses.
+
+    Returns
+    -------
+    weights : (n,) ndarray of float64
+        The weights, with mean 0.
+    cells : SiteCells
+        The cells, with neighbors.
+
+    Raises
+    ------
+    ValueError
+        If there is not one of box and lattice, the lattice has fewer than d vectors, there are not n positive volumes or their sum is
+        another, or a row has no cell to begin with.
+    InputError
+        If the points, the box, halfspaces or the lattice are not as wanted.
+    Error
+        If the volumes are not within the tolerance after `max_steps` steps, or cannot be improved any more.
+
+    See Also
+    --------
+    lloyd : Moves points instead.
+    Regular.site_cells : The cells of given weights.
+
+    Notes
+    -----
+    Damped Newton's method (Kitagawa, Merigot and Thibert 2019, doi:10.4171/JEMS/889). The derivative of the volume of cell i with respect to
+    the weight of its neighbor j is minus the area of their face over twice their distance. A step is halved until no cell has less than half of
+    the least volume that is wanted or was there, and the error is less by a share of the step. Empty cells are told exactly. The linear systems
+    are solved by conjugate gradients. Cost: some ten to twenty triangulations with `Regular.site_cells`.
+
+    Examples
+    --------
+    >>> import delone
+    >>> weights, cells = delone.prescribed_volumes([[0, 0], [1, 0]], [3, 1], box=([-1, -0.5], [3, 0.5]))
+    >>> weights.round(9).tolist(), cells.volumes.round(9).tolist()
+    ([1.5, -1.5], [3.0, 1.0])
+    """
+    region = _Region(points, box, halfspaces, lattice, threads)
+    points, n = region.points, len(region.points)
+    if n == 0:
+        raise ValueError("points: at least one")
+    weights = np.zeros(n)
+    cells = region.cells(points, weights)
+    without = np.flatnonzero(~(cells.volumes > 0))
+    if len(without):
+        raise ValueError(f"row {without[0]} has no cell: it is a duplicate, or its Voronoi cell is outside of the box")
+    total = cells.volumes.sum()
+    if volumes is None:
+        volumes = np.full(n, total / n)
+    volumes = _core._doubles(volumes, "volumes")
+    if volumes.shape != (n,):
+        raise ValueError(f"volumes: an array of shape {volumes.shape}, not ({n},)")
+    if not (np.isfinite(volumes).all() and (volumes > 0).all()):
+        raise ValueError(f"volumes: row {np.flatnonzero(~(np.isfinite(volumes) & (volumes > 0)))[0]} is not a positive number")
+    if not abs(volumes.sum() - total) <= 1e-9 * total:
+        raise ValueError(f"volumes: their sum is {volumes.sum():.12g}, not that of the box, {total:.12g}")
+    volumes = volumes * (total / volumes.sum())
+    least = min(cells.volumes.min(), volumes.min()) / 2
+    error = volumes - cells.volumes
+    for _ in range(max_steps):
+        if (np.abs(error) <= tolerance * volumes).all():
+            return weights - weights.mean(), cells
+        step = _solve(_Laplacian(cells), error, relative=min(1e-3, 0.1 * np.abs(error / volumes).max()))
+        size, share = np.linalg.norm(error), 1.0
+        while share > 1e-12:
+            moved = weights + share * step
+            trial = region.cells(points, moved)
+            changed = volumes - trial.volumes
+            if trial.volumes.min() >= least and np.linalg.norm(changed) <= (1 - share / 2) * size:
+                break
+            share /= 2
+        else:
+            break
+        weights, cells, error = moved, trial, changed
+    if (np.abs(error) <= tolerance * volumes).all():
+        return weights - weights.mean(), cells
+    raise _core.Error(f"prescribed_volumes: a volume is still off by {np.abs(error / volumes).max():.3g} of itself")
+
+
+class _Region:
+    """Where cells are: in a box, or in a periodic set."""
+
+    def __init__(self, points, box, halfspaces, lattice, threads):
+        if (box is None) == (lattice is None):
+            raise ValueError("give one of box and lattice")
+        if lattice is not None and halfspaces is not None:
+            raise ValueError("halfspaces clip cells only in a box")
+        self.points = np.array(_core._doubles(points, "points"))
+        if self.points.ndim != 2:
+            raise ValueError(f"points: an array of shape {self.points.shape}, not (n, d)")
+        self._box, self._halfspaces, self._lattice, self._threads = box, halfspaces, lattice, threads
+
+    def cells(self, points, weights=None):
+        """The cells of points, with neighbors if they have weights."""
+        arguments = (points,) if weights is None else (points, weights)
+        if self._lattice is None:
+            kind = _core.Delaunay if weights is None else _core.Regular
+            return kind(*arguments, threads=self._threads).site_cells(neighbors=weights is not None, box=self._box, halfspaces=self._halfspaces)
+        kind = _core.PeriodicDelaunay if weights is None else _core.PeriodicRegular
+        periodic = kind(*arguments, self._lattice, threads=self._threads)
+        if periodic.rank != points.shape[1]:
+            raise ValueError(f"lattice: {periodic.rank} vectors, not {points.shape[1]}")
+        return periodic.site_cells(neighbors=weights is not None)
+
+
+class _Laplacian:
+    """The derivative of volumes with respect to weights: sum over the neighbors j of i of (x_i - x_j) area/(2 distance)."""
+
+    def __init__(self, cells):
+        n, owner = len(cells), np.repeat(np.arange(len(cells)), np.diff(cells.neighbor_offsets))
+        counts = (cells.neighbors >= 0) & (cells.neighbors != owner)
+        self._from, self._to = owner[counts], cells.neighbors[counts]
+        # Half from each side: areas of the two sides of a face may differ in the last digit.
+        self._values = cells.face_areas[counts] / (4 * cells.distances[counts])
+        self.diagonal = np.bincount(self._from, self._values, n) + np.bincount(self._to, self._values, n)
+        try:  # a tenth of the time
+            from scipy.sparse import coo_array
+        except ImportError:
+            self._sparse = None
+        else:
+            one_way = coo_array((self._values, (self._from, self._to)), shape=(n, n)).tocsr()
+            self._sparse = (one_way + one_way.T).tocsr()
+
+    def __call__(self, x):
+        if self._sparse is not None:
+            return self.diagonal * x - self._sparse @ x
+        n = len(x)
+        flow = self._values * (x[self._from] - x[self._to])
+        return np.bincount(self._from, flow, n) - np.bincount(self._to, flow, n)
+
+
+def _solve(matrix, right, relative):
+    """Conjugate gradients, preconditioned by the diagonal. The matrix is singular; its kernel has the constants."""
+    inverse = 1 / np.where(matrix.diagonal > 0, matrix.diagonal, 1)
+    x, rest = np.zeros(len(right)), right - right.mean()
+    goal = relative * np.linalg.norm(rest)
+    direction, last = np.zeros_like(rest), 1.0
+    for _ in range(20 * int(len(right) ** 0.5) + 200):
+        if np.linalg.norm(rest) <= goal:
+            break
+        better = inverse * rest
+        now = rest @ better
+        direction = better + now / last * direction
+        image = matrix(direction)
+        along = direction @ image
+        if not along > 0:
+            break
+        x += now / along * direction
+        rest -= now / along * image
+        last = now
+    return x - x.mean()
