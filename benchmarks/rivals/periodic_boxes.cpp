@@ -130,6 +130,6 @@ int main(int argc, char** argv) {
     return 0;
   }
   for (const std::size_t n : {std::size_t{1000}, std::size_t{10000}, std::size_t{100000}})
-    for (const char* kind : {"uniform", "clustered"}) measure(kind, n, 2);
+    for (const char* kind : {"uniform", "plummer"}) measure(kind, n, 2);
   return 0;
 }

@@ -27,7 +27,7 @@ static void test_one_point(void) {
   CHECK(array.shape[0] == 3 && entry(&array, 4) == 1);
   OK(delone_site_cells(t, NULL, NULL, NULL, 0, NULL, &cells));
   array = get_array(cells, "volumes");
-  CHECK(array.shape[0] == 1 && entry(&array, 0) == 1);
+  CHECK(array.shape[0] == 1 && entry(&array, 0) > 0.999999 && entry(&array, 0) < 1.000001);
   array = get_array(cells, "neighbor_lattice");
   CHECK(array.type == DELONE_INT32 && array.shape[1] == 3);
   delone_free(cells);
@@ -67,7 +67,7 @@ static void test_slab_with_weights(void) {
   CHECK(cell == -1 && offset[0] == 0);
   OK(delone_periodic_nearest(t, far_away, 1, options, &row, offset, &power));
   CHECK(row >= 0 && power > 60);
-  FAILS(DELONE_CANNOT_OPEN, delone_write(t, "/no/such/folder/t.npz", ""));
+  FAILS(DELONE_CANNOT_WRITE, delone_write(t, "/no/such/folder/t.npz", ""));
   delone_free(t);
   OK(delone_set_integer(options, "exact", 1));
   FAILS(DELONE_INVALID_ARGUMENT, delone_periodic_delaunay(points, 50, 3, lattice, 2, options, &t));

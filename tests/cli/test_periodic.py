@@ -64,7 +64,7 @@ class Periodic(Case):
         self.output("delaunay", self.file("points.npy", POINTS), "--lattice", "1", "--periodic", "xy", "-o", path)
         with np.load(path) as arrays:
             damaged = dict(arrays)
-        damaged["neighbor_offsets"][damaged["neighbors"] < 0] = 7
+        damaged["neighbor_offsets"].reshape(-1, 4, 2)[damaged["neighbors"] < 0] = 7
         np.savez(path, **damaged)
         self.run_delone("check", path, status=1)
 
