@@ -154,6 +154,16 @@ def tolerant_location():
     return lambda: triangulation.find_simplex(queries, tolerance=0.9), lambda: triangulation.find_simplex(queries)
 
 
+for step in (0.001, 0.005, 0.01, 0.1):
+    def time_step_row(step=step, n=300000):
+        spacing = 0.554 * n ** (-1 / 3)  # the mean distance to the nearest neighbor of random points
+        start = random(2).random((n, 3))
+        ends = itertools.cycle([start + spacing * step / np.sqrt(3) * random(3).choice((-1, 1), start.shape), start])
+        triangulation, rows = delone.Delaunay(start, threads=1), np.arange(n)
+        return lambda: triangulation.move(rows, next(ends)), lambda: delone.Delaunay(start, threads=1)
+    row(f"time step by {step:g} of the spacing, 3e5 points 3D, of a rebuild")(time_step_row)
+
+
 def least(job, rounds, patience):
     """The least processor time of some runs, in milliseconds; one run if it takes longer than that."""
     best = None
