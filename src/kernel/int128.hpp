@@ -12,10 +12,9 @@
 
 namespace delone::kernel {
 
-using internal::BuiltInUInt128;
-
 #if DELONE_HAS_INT128
 
+using internal::BuiltInUInt128;
 using Int128 = internal::BuiltInInt128;
 
 /// |x|
