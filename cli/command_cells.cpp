@@ -26,6 +26,7 @@ struct CellsOptions {
   WeightedInput weighted;  // the points, perhaps with weights
   BuildOptions build;
   std::vector<double> box;  // low by axis, then high
+  std::string halfspaces;   // a file, if not empty
   PeriodicInput periodic;
   bool neighbors = false, proper = false;
 };
@@ -85,8 +86,26 @@ void check_outputs(const CellsOptions& options) {
       [](const std::string& nowhere, const std::string& format) { write(nowhere, SiteCells{}, format); });
 }
 
+/// Of --box and --halfspaces.
+struct Container {
+  std::optional<Box> box;
+  std::vector<double> halfspaces;
+};
+
+Container chosen_container(const CellsOptions& options, int dimension) {
+  Container chosen{chosen_box(options.box, dimension), {}};
+  if (options.halfspaces.empty()) return chosen;
+  PointTable table = options.weighted.input.read_beside(options.halfspaces);
+  if (table.dimension != dimension + 1)
+    throw Error(Errc::bad_format,
+                fmt::format("{}: expected {} columns for the halfspaces of {} dimensions, found {}",
+                            input_name(options.halfspaces), dimension + 1, dimension, table.dimension));
+  chosen.halfspaces = std::move(table.coordinates);
+  return chosen;
+}
+
 template <class Build>
-int run_with(Build build, const std::optional<Box>& box, Cost cost, Clock::time_point start,
+int run_with(Build build, const Container& container, Cost cost, Clock::time_point start,
              const CellsOptions& options) {
   const std::string name = input_name(options.weighted.input.path);
   auto stage_start = Clock::now();
@@ -102,7 +121,8 @@ int run_with(Build build, const std::optional<Box>& box, Cost cost, Clock::time_
     return site_cells(triangulation,
                       {.faces = options.proper ? CellFaces::proper : CellFaces::triangulated,
                        .neighbors = options.neighbors,
-                       .box = box},
+                       .box = container.box,
+                       .halfspaces = container.halfspaces},
                       {.threads = options.build.threads});
   });
   cost.diagram = seconds_since(stage_start);
@@ -119,8 +139,8 @@ int run_with(Build build, const std::optional<Box>& box, Cost cost, Clock::time_
 }
 
 int run_cells(const CellsOptions& options) {
-  protect_files({options.weighted.input.path, options.weighted.weights}, options.build.outputs(),
-                options.build.force);
+  protect_files({options.weighted.input.path, options.weighted.weights, options.halfspaces},
+                options.build.outputs(), options.build.force);
   const MemoryLimit limit(input_name(options.weighted.input.path), options.build.memory);
   const auto start = Clock::now();
   Cost cost;
@@ -130,7 +150,7 @@ int run_cells(const CellsOptions& options) {
                               : options.weighted.input.read(options.build.threads);
   cost.read = seconds_since(start);
   check_outputs(options);
-  const std::optional<Box> box = chosen_box(options.box, table.dimension);
+  const Container container = chosen_container(options, table.dimension);
   const auto taken = [&] { return std::exchange(table, PointTable{}); };  // freed after the triangulation
   if (options.periodic.is_wanted()) {
     const Lattice lattice = options.periodic.read(table.dimension);
@@ -142,14 +162,14 @@ int run_cells(const CellsOptions& options) {
             return PeriodicRegular<>(PointsView(points.coordinates, points.dimension), weights, lattice, how,
                                      build_options);
           },
-          box, cost, start, options);
+          container, cost, start, options);
     return run_with(
         [&](const Options& build_options) {
           const PointTable points = taken();
           return PeriodicDelaunay<>(PointsView(points.coordinates, points.dimension), lattice, how,
                                     build_options);
         },
-        box, cost, start, options);
+        container, cost, start, options);
   }
   about(input_name(options.weighted.input.path), [&] { warn_of_memory(table, options.build); });
   if (weighted)
@@ -158,13 +178,13 @@ int run_cells(const CellsOptions& options) {
           const PointTable points = taken();
           return Regular<>(points.coordinates, weights, points.dimension, build_options);
         },
-        box, cost, start, options);
+        container, cost, start, options);
   return run_with(
       [&](const Options& build_options) {
         const PointTable points = taken();
         return Delaunay<>(points.coordinates, points.dimension, build_options);
       },
-      box, cost, start, options);
+      container, cost, start, options);
 }
 
 }  // namespace
@@ -176,6 +196,11 @@ Run add_cells(CLI::App& app) {
   app.add_option("--box", options->box, "Clip cells to this box: all lower limits, then all upper ones")
       ->delimiter(',')
       ->type_name("LOW,...,HIGH,...");
+  app.add_option(
+         "--halfspaces", options->halfspaces,
+         "In the box, clip cells to these halfspaces, too: a file with a row a, c of each a x + c <= 0")
+      ->needs("--box")
+      ->type_name("FILE");
   app.add_flag("--neighbors", options->neighbors,
                "Also list neighbors, areas of faces and distances, in an output as npz");
   app.add_flag("--proper-faces", options->proper,

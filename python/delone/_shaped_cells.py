@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Sites whose cells are as wanted: Lloyd's relaxation, and weights that give cells prescribed volumes."""
+"""Cells as wanted: Lloyd's relaxation, weights that give cells prescribed volumes, and round containers."""
 from __future__ import annotations
 
 import numpy as np
@@ -165,6 +165,123 @@ def prescribed_volumes(points, volumes=None, *, box=None, halfspaces=None, latti
     if (np.abs(error) <= tolerance * volumes).all():
         return weights - weights.mean(), cells
     raise _core.Error(f"prescribed_volumes: a volume is still off by {np.abs(error / volumes).max():.3g} of itself")
+
+
+def ball_halfspaces(center, radius, count=200) -> np.ndarray:
+    """Make halfspaces whose intersection is nearly a ball: their boundaries touch it all around.
+
+    With a box they make a round container for cells of sites.
+
+    Parameters
+    ----------
+    center : (d,) array_like
+        The center, 2 or 3 numbers.
+    radius : float
+        The radius, positive.
+    count : int, optional
+        How many, at least 2 d.
+
+    Returns
+    -------
+    (count, d+1) ndarray of float64
+        Rows [A, b] of A x + b <= 0, with A of length 1. They contain the ball; in space the volume exceeds that of the ball by some 3.2/count of it.
+
+    Raises
+    ------
+    ValueError
+        If the center has not 2 or 3 numbers, the radius is not positive and finite, or there are fewer than 2 d.
+
+    See Also
+    --------
+    cylinder_halfspaces : Of a cylinder.
+
+    Examples
+    --------
+    >>> import delone
+    >>> points = delone.generate("uniform", 100, 3, seed=1)
+    >>> ball = delone.ball_halfspaces([0.5, 0.5, 0.5], 0.5)
+    >>> volume = delone.Delaunay(points).site_cells(box=([0] * 3, [1] * 3), halfspaces=ball).volumes.sum()
+    >>> bool(0.5236 < volume < 0.54)
+    True
+    """
+    center = _core._doubles(center, "center")
+    if center.shape not in ((2,), (3,)):
+        raise ValueError(f"center: an array of shape {center.shape}, not (2,) or (3,)")
+    _require_round(radius, count, 2 * len(center))
+    if len(center) == 2:
+        normals = _directions(count)
+    else:  # at equal heights, turned by the golden angle: a share of the sphere for each
+        height = (2 * np.arange(count) + 1) / count - 1
+        angle = np.arange(count) * (np.pi * (3 - 5**0.5))
+        across = np.sqrt(1 - height**2)
+        normals = np.stack([across * np.cos(angle), across * np.sin(angle), height], axis=1)
+    return _tangents(normals, center, radius)
+
+
+def cylinder_halfspaces(start, end, radius, count=60) -> np.ndarray:
+    """Make halfspaces whose intersection is nearly a cylinder: a prism around it.
+
+    With a box they make a container for cells of sites.
+
+    Parameters
+    ----------
+    start, end : (3,) array_like
+        The ends of the axis, centers of the two flat sides.
+    radius : float
+        The radius, positive.
+    count : int, optional
+        How many sides the prism has around the axis, at least 3.
+
+    Returns
+    -------
+    (count+2, 4) ndarray of float64
+        Rows [A, b] of A x + b <= 0, with A of length 1; the last two are those of the flat sides. They contain the cylinder. The volume exceeds that
+        of the cylinder by some 3.3/count² of it.
+
+    Raises
+    ------
+    ValueError
+        If the ends are not two different points of space, the radius is not positive and finite, or `count` is less than 3.
+
+    See Also
+    --------
+    ball_halfspaces : Of a ball.
+
+    Examples
+    --------
+    >>> import delone
+    >>> delone.cylinder_halfspaces([0, 0, 0], [0, 0, 2], 1, count=4).round(9)[-2:].tolist()
+    [[0.0, 0.0, -1.0, 0.0], [0.0, 0.0, 1.0, -2.0]]
+    """
+    start, end = _core._doubles(start, "start"), _core._doubles(end, "end")
+    for name, point in (("start", start), ("end", end)):
+        if point.shape != (3,):
+            raise ValueError(f"{name}: an array of shape {point.shape}, not (3,)")
+    length = np.linalg.norm(end - start)
+    if not (np.isfinite(length) and length > 0):
+        raise ValueError("start and end: two different points")
+    _require_round(radius, count, 3)
+    axis = (end - start) / length
+    first = np.cross(axis, np.eye(3)[np.abs(axis).argmin()])
+    first /= np.linalg.norm(first)
+    sides = _tangents(_directions(count) @ np.stack([first, np.cross(axis, first)]), start, radius)
+    return np.concatenate([sides, [np.append(0 - axis, axis @ start), np.append(axis, 0 - axis @ end)]])
+
+
+def _require_round(radius, count, least):
+    if not (np.isfinite(radius) and radius > 0):
+        raise ValueError(f"radius: a positive number, not {radius}")
+    if count < least:
+        raise ValueError(f"count: at least {least}, not {count}")
+
+
+def _directions(count):
+    angle = np.arange(count) * (2 * np.pi / count)
+    return np.stack([np.cos(angle), np.sin(angle)], axis=1)
+
+
+def _tangents(normals, center, radius):
+    return np.concatenate([normals, -(normals @ center + radius)[:, None]], axis=1)
 
 
 class _Region:

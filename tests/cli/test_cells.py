@@ -34,6 +34,16 @@ class Cells(Case):
             first, last = arrays["neighbor_offsets"][13:15]
             np.testing.assert_array_equal(arrays["num_edges"][first:last], 6 * [4])
 
+    def test_halfspaces(self):
+        points = self.file("points.csv", "x,y\n0.25,0.25\n0.75,0.25\n")
+        corner = self.file("corner.csv", "a,b,c\n1,1,-1\n")
+        self.output("cells", points, "--box", "0,0,1,1", "--halfspaces", corner, "-o", self.path("cells.npz"))
+        with np.load(self.path("cells.npz")) as arrays:
+            np.testing.assert_allclose(arrays["volumes"], [0.375, 0.125], rtol=1e-14)
+        wide = self.file("wide.csv", "1,2,3,4\n")
+        self.assertIn("expected 3 columns for the halfspaces of 2 dimensions, found 4", self.complaint("cells", points, "--box", "0,0,1,1", "--halfspaces", wide))
+        self.assertIn("--box", self.complaint("cells", points, "--halfspaces", corner, status=64))
+
     def test_report(self):
         points = self.uniform(3, 100)
         stats = json.loads(self.output("cells", points, "--box", "0,0,0,1,1,1", "--stats"))

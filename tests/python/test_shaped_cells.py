@@ -99,3 +99,20 @@ def test_more_refusals():
         delone.prescribed_volumes(np.zeros((0, 2)), box=([0, 0], [1, 1]))
     with pytest.raises(delone.Error, match="still off"):
         delone.prescribed_volumes(np.random.default_rng(1).random((50, 2)), box=([0, 0], [1, 1]), max_steps=1)
+
+
+def test_round_containers():
+    points = np.random.default_rng(9).random((200, 3)) * 2 - 1
+    t = delone.Delaunay(points)
+    for halfspaces, volume in ((delone.ball_halfspaces([0, 0, 0], 1), 4 / 3 * np.pi),
+                               (delone.cylinder_halfspaces([-1, -1, -1], [1, 1, 1], 0.4), 0.16 * np.pi * 12**0.5)):
+        np.testing.assert_allclose(np.linalg.norm(halfspaces[:, :3], axis=1), 1)
+        inside = t.site_cells(box=([-2] * 3, [2] * 3), halfspaces=halfspaces).volumes.sum()
+        assert volume < inside < 1.03 * volume
+    disc = delone.ball_halfspaces([3, 4], 2, count=100)
+    np.testing.assert_allclose((disc[:, :2] @ [3, 4] + disc[:, 2]), -2)
+    for call in (lambda: delone.ball_halfspaces([0, 0, 0], 0), lambda: delone.ball_halfspaces([0], 1), lambda: delone.ball_halfspaces([0, 0], 1, count=3),
+                 lambda: delone.cylinder_halfspaces([0, 0, 0], [0, 0, 0], 1), lambda: delone.cylinder_halfspaces([0, 0], [0, 1], 1),
+                 lambda: delone.cylinder_halfspaces([0, 0, 0], [0, 0, 1], np.nan)):
+        with pytest.raises(ValueError):
+            call()
