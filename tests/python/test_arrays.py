@@ -83,7 +83,7 @@ def test_what_is_no_array_of_points(points, message):
 @pytest.mark.parametrize("value, message", [
     (10**400, r"1000000\d*… is beyond the range of double precision"), (-10**400, "is beyond the range of double precision"),
     pytest.param(10**10_000, "a huge int is beyond the range of double precision", id="huge"), (None, "None is not a number"), (Fraction(1, 3), "1/3 is not exact in double precision"),
-    ([1], "a list is not a number"), (1j, "a complex is not a number"), (object(), "a object is not a number"), (2**70 + 1, "is not exact in double precision"),
+    ([1], "a list is not a number"), (1j, "a complex is not a number"), (object(), "an object is not a number"), (2**70 + 1, "is not exact in double precision"),
 ])
 def test_objects_that_are_no_numbers_are_named(value, message):
     points = np.zeros((3, 2), object)
