@@ -91,6 +91,17 @@ def types_name_all_members(package):
     return good
 
 
+def types_are_checked(package):
+    """Whether TypeScript takes and refuses what types.ts says."""
+    folder = package.parent / "types"
+    (folder / "node_modules").mkdir(parents=True, exist_ok=True)
+    (folder / "node_modules/delone").unlink(missing_ok=True)
+    (folder / "node_modules/delone").symlink_to(package)
+    shutil.copy2(ROOT / "tests/js/types.ts", folder)
+    command = ["tsc", "--noEmit", "--strict", "--target", "es2022", "--module", "es2022", "--moduleResolution", "node", "types.ts"]
+    return subprocess.run(command, cwd=folder, check=False).returncode == 0
+
+
 def main():
     package, build = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
     reference = package.parent / "reference.json"
@@ -98,7 +109,8 @@ def main():
     passed = {
         "Node": in_node(package, reference),
         "Chromium": in_chromium(package, reference),
-        "types": types_name_all_members(package),
+        "members in index.d.ts": types_name_all_members(package),
+        "types.ts": types_are_checked(package),
         "size": is_small(package),
         "docs/js.md": subprocess.run([sys.executable, "-B", "tools/check_docs.py", build, "--js", package, "--only", "docs/js.md"], cwd=ROOT,
                                      check=False).returncode == 0,
