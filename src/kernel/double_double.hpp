@@ -16,6 +16,12 @@ inline DoubleDouble two_sum(double a, double b) {
   return {sum, (a - (sum - part)) + (b - part)};
 }
 
+/// a − b exactly, barring overflow.
+inline DoubleDouble two_difference(double a, double b) { return two_sum(a, -b); }
+
+/// Stages that multiply differences leave those that are not below this to exact arithmetic.
+inline constexpr double largest_difference = 1e300;
+
 /// a·b exactly, barring underflow and |a|, |b| beyond 2^990 (Dekker 1971, doi:10.1007/BF01397083; Veltkamp).
 inline DoubleDouble two_product(double a, double b) {
   constexpr double splitter = 0x1p27 + 1;

@@ -27,9 +27,7 @@ constexpr std::size_t most_columns = 6;
 constexpr double rounding_error = 9 * unit_roundoff * unit_roundoff;
 /// Covers what underflows, with entries of at most 2^32.
 constexpr double scaled_underflow = 0x1p-800;
-constexpr double largest_difference = 1e300;
 
-DoubleDouble difference(double a, double b) { return two_sum(a, -b); }
 DoubleDouble scaled(const DoubleDouble& x, double scale) { return {x.high * scale, x.low * scale}; }
 
 /// Rows of n entries, and the sums of the magnitudes of their terms.
@@ -79,7 +77,7 @@ int fill(Rows& rows, std::size_t r, int axis, const double* const* points, const
          double largest) {
   const auto [scale, exponent] = detail::normalisation(largest);
   for (std::size_t i = 0; i < rows.n; ++i)
-    rows.set(i, r, scaled(difference(points[i][axis], base[axis]), scale));
+    rows.set(i, r, scaled(two_difference(points[i][axis], base[axis]), scale));
   return exponent;
 }
 
@@ -123,13 +121,13 @@ std::optional<Sign> sphere_by_minors(const Flat& flat, const double* const* poin
   for (std::size_t i = 0; i < rows.n; ++i) {
     DoubleDouble lift{};
     for (int j = 0; j < flat.ambient; ++j) {
-      const DoubleDouble along = scaled(difference(points[i][j], q[j]), scale);
+      const DoubleDouble along = scaled(two_difference(points[i][j], q[j]), scale);
       lift = lift + along * along;
     }
     rows.set(i, k, lift);
     if (!flat.weighted()) continue;
     const DoubleDouble weight =
-        scaled(scaled(difference(points[i][flat.ambient], q[flat.ambient]), scale), scale);
+        scaled(scaled(two_difference(points[i][flat.ambient], q[flat.ambient]), scale), scale);
     rows.entries[i * rows.n + k] = lift - weight;
     rows.parts[i * rows.n + k].value += std::fabs(weight.high);
   }

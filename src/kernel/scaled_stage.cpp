@@ -23,13 +23,11 @@ namespace {
 
 constexpr std::size_t most = most_scaled_columns;
 constexpr double square_roundoff = unit_roundoff * unit_roundoff;
-constexpr double largest_difference = 1e300;
 /// Covers what underflows in a lift, before it is scaled, and in the elimination of entries of at most 1.
 constexpr double lift_underflow = 0x1p-850, elimination_underflow = 0x1p-800;
 /// Smaller pivots are not divided by.
 constexpr double least_pivot = 0x1p-400;
 
-DoubleDouble difference(double a, double b) { return two_sum(a, -b); }
 DoubleDouble times(const DoubleDouble& x, double power) { return {x.high * power, x.low * power}; }
 
 /// x·2^e
@@ -312,7 +310,7 @@ std::optional<Sign> scaled_orientation(const Flat& flat, const double* const* po
     for (std::size_t i = 0; i < k; ++i) {
       const std::size_t from = i == tree.root ? k : i;  // the base takes the place of the root
       const double *p = all[from], *parent = all[tree.parent[from]];
-      for (std::size_t r = 0; r < k; ++r) a.set(i, r, difference(p[flat.axes[r]], parent[flat.axes[r]]));
+      for (std::size_t r = 0; r < k; ++r) a.set(i, r, two_difference(p[flat.axes[r]], parent[flat.axes[r]]));
       a.error[i] = a.error_in_binary64[i] = 0;
     }
     if (const auto sign = sign_of(a, unit_exponent, tree.has_clusters))
@@ -359,25 +357,25 @@ std::optional<Sign> scaled_sphere(const Flat& flat, const double* const* points,
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t from = i == tree.root ? n : i;  // q takes the place of the root
     const double *p = all[from], *parent = all[tree.parent[from]];
-    for (std::size_t r = 0; r < k; ++r) a.set(i, r, difference(p[flat.axes[r]], parent[flat.axes[r]]));
+    for (std::size_t r = 0; r < k; ++r) a.set(i, r, two_difference(p[flat.axes[r]], parent[flat.axes[r]]));
     // |p − o|² − |parent − o|² = (p − parent)·((p − o) + (parent − o))
     DoubleDouble lift{0, 0};
     double parts = 0;
     for (int j = 0; j < flat.ambient; ++j) {
-      const DoubleDouble along = times(difference(p[j], origin[j]), lift_scale);
+      const DoubleDouble along = times(two_difference(p[j], origin[j]), lift_scale);
       if (parent == origin) {
         lift = lift + along * along;
         parts += along.high * along.high;
         continue;
       }
-      const DoubleDouble edge = times(difference(p[j], parent[j]), lift_scale);
-      const DoubleDouble before = times(difference(parent[j], origin[j]), lift_scale);
+      const DoubleDouble edge = times(two_difference(p[j], parent[j]), lift_scale);
+      const DoubleDouble before = times(two_difference(parent[j], origin[j]), lift_scale);
       lift = lift + edge * (along + before);
       parts += std::fabs(edge.high) * (std::fabs(along.high) + std::fabs(before.high));
     }
     if (flat.weighted()) {
       const DoubleDouble weight =
-          times(times(difference(p[flat.ambient], parent[flat.ambient]), lift_scale), lift_scale);
+          times(times(two_difference(p[flat.ambient], parent[flat.ambient]), lift_scale), lift_scale);
       lift = lift - weight;
       parts += std::fabs(weight.high);
     }

@@ -42,7 +42,7 @@ class SiteCellsWriter {
   std::string storage_;
 };
 
-void write_npz(AtomicFile& file, const SiteCells& cells) {
+void write_arrays_of_cells(AtomicFile& file, const SiteCells& cells) {
   SiteCellsWriter write_array(file);
   write_array("volumes", cells.volumes);
   write_array("centroids", cells.centroids, static_cast<std::size_t>(cells.dimension));
@@ -87,7 +87,7 @@ void write(const std::string& path, const SiteCells& cells, const std::string& f
     if (path == "-")
       io::fail(Errc::unsupported, "format 'npz' is binary and is not written to standard output");
     io::AtomicFile file(path);
-    io::write_npz(file, cells);
+    io::write_arrays_of_cells(file, cells);
     file.commit();
   });
 }
