@@ -149,7 +149,7 @@ class TriangulationEngineOf final : public EngineOf<TriangulationEngine, geometr
     const auto take_back = [&]() noexcept {
       points_.set_point(v, before_.data());
       geometry().rewrite_row(v);
-      for (const Index around : relocation.star()) engine::create_functional(cells(), geometry(), around);
+      relocation.take_back();
     };
     points_.set_point(v, to);
     geometry().rewrite_row(v);
@@ -165,7 +165,8 @@ class TriangulationEngineOf final : public EngineOf<TriangulationEngine, geometr
       throw;
     }
   }
-  engine::Change move_all(std::optional<geometry::Frame> frame, unsigned threads) override {
+  engine::Change move_all(std::optional<geometry::Frame> frame, unsigned threads,
+                          const std::function<void(std::span<const Index>)>& put_back) override {
     need_functionals();
     auto& relocation = edits().relocation;
     renews_all_ = true;
@@ -173,7 +174,12 @@ class TriangulationEngineOf final : public EngineOf<TriangulationEngine, geometr
       geometry().set_frame(std::move(*frame), points_.last_vertex());
     else
       geometry().rewrite_rows(points_.last_vertex());
-    return relocation.relocate_all(threads, [this] { return query_inside(); });
+    return relocation.relocate_all(
+        threads, [this] { return query_inside(); },
+        [&](std::span<const Index> vertices) {
+          put_back(vertices);
+          move_back(vertices);
+        });
   }
   void move_back(std::span<const Index> vertices) noexcept override {
     for (const Index v : vertices) geometry().rewrite_row(v);

@@ -117,7 +117,12 @@ bool Editing::move_all_in_place() {
     if (i + ahead < leaving_.size()) internal::prefetch(state_.sites.point(leaving_[i + ahead].vertex));
     if (leaving_[i].moves()) state_.sites.move(leaving_[i].vertex, point(placements_[leaving_[i].placement]));
   }
-  const engine::Change change = state_.engine->move_all(std::move(frame), state_.options.threads);
+  std::vector<std::uint8_t> is_put_back(record().sites.num_ids, 0);
+  const engine::Change change =
+      state_.engine->move_all(std::move(frame), state_.options.threads, [&](std::span<const Index> vertices) {
+        for (const Index v : vertices) is_put_back[v] = 1;
+        put_points_back(is_put_back, first);
+      });
   if (!change.is_done()) {  // so much moves that all will be rebuilt
     restore_points(first);
     return false;
@@ -126,7 +131,7 @@ bool Editing::move_all_in_place() {
   state_.landmarks.reset();
   std::vector<std::uint8_t> is_placed_now(placements_.size(), 0);
   for (const Leaving& leaving : leaving_)
-    if (leaving.moves()) is_placed_now[leaving.placement] = 1;
+    if (leaving.moves() && is_put_back[leaving.vertex] == 0) is_placed_now[leaving.placement] = 1;
   if (state_.may_hide()) state_.hidden_points = std::make_unique<HiddenPoints>();
   freed_.insert(freed_.end(), hidden.begin(), hidden.end());
   erase_placed(is_placed_now);
@@ -178,6 +183,18 @@ void Editing::erase_placed(const std::vector<std::uint8_t>& is_placed_now) {
   });
   for (Leaving& leaving : leaving_)
     if (leaving.moves()) leaving.placement = new_places[leaving.placement];
+}
+
+/// Some of the vertices that were moved since the journal had `first` get their old points.
+void Editing::put_points_back(const std::vector<std::uint8_t>& is_put_back, std::size_t first) {
+  const sites::Journal& journal = record().sites;
+  const std::size_t size = state_.row_size(), last = journal.moved.size();
+  std::vector<double> before(size);
+  for (std::size_t i = first; i < last; ++i) {
+    if (is_put_back[journal.moved[i]] == 0) continue;
+    std::copy_n(journal.points.data() + i * size, size, before.data());
+    state_.sites.move(journal.moved[i], before.data());
+  }
 }
 
 /// Takes back the points that were set last.

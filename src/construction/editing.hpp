@@ -67,6 +67,7 @@ class Editing {
   bool can_stay(const Placement& placement) const;
   std::vector<Index> staying_hidden() const;
   bool meets_hidden(std::span<const Index> hidden) const;
+  void put_points_back(const std::vector<std::uint8_t>& is_put_back, std::size_t first);
   void restore_points(std::size_t first);
   void erase_placed(const std::vector<std::uint8_t>& is_placed);
   bool take_all_out();

@@ -117,6 +117,39 @@ TEST(TimeSteps, ByThreadsTurnCellsOver) {
   }
 }
 
+/// Points on the floor of a cube pass it, and each other, in any order, so holes there cannot be filled. Most
+/// cells stay in spite of this.
+TEST(TimeSteps, OfPointsOnAWall) {
+  for (const int d : {2, 3}) {
+    SCOPED_TRACE(std::to_string(d) + "D");
+    const std::size_t n = d == 2 ? 20000 : 30000, num_on_floor = 100;
+    std::vector<double> points = points_in_cube("uniform", d, n);
+    for (std::size_t i = 0; i < num_on_floor; ++i) points[i * static_cast<std::size_t>(d)] = 0;
+    Delaunay<> alone(points, d, by_threads(1)), shared(points, d, by_threads(3));
+    for (Delaunay<>* const t : {&alone, &shared}) {
+      t->sort_cells();
+      t->record_changes();
+      t->record_undo();
+    }
+    const std::vector<std::size_t> rows = rows_of_all(alone);
+    for (std::uint64_t seed = 30; seed < 34; ++seed) {
+      SCOPED_TRACE(seed);
+      points = moved_by(points, d, 1e-3, seed);
+      alone.move(rows, points);
+      shared.move(rows, points);
+      EXPECT_LT(4 * alone.changes().removed_cells.size(), alone.num_finite_cells());
+      EXPECT_EQ(alone.changes().moved_vertices.size(), n);
+      ASSERT_TRUE(test::SeenTriangulation(alone) == test::SeenTriangulation(shared));
+      ASSERT_EQ(alone.hash(), Delaunay<>(points, d, by_threads(1)).hash());
+    }
+    const test::SeenTriangulation before(shared);
+    shared.move(rows, moved_by(points, d, 1e-3, 34));
+    EXPECT_LT(4 * shared.changes().removed_cells.size(), shared.num_finite_cells());
+    shared.undo();
+    EXPECT_TRUE(test::SeenTriangulation(shared) == before);
+  }
+}
+
 /// Points, weights, and both; hidden points come back, and others go.
 TEST(TimeSteps, OfWeightedPoints) {
   for (const int d : {2, 3}) {

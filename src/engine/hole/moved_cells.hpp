@@ -47,6 +47,20 @@ class MovedCells {
   /// positively oriented.
   template <class OnInverted>
   void renew(std::span<const Index> batch, OnInverted&& on_inverted) {
+    const std::size_t count = compute(batch);
+    for (std::size_t i = 0; i < count; ++i) {
+      Sign orientation = orientations_[i];
+      if (orientation == Sign::zero) {
+        const auto vertices = cells_.vertices(finite_[i]);
+        orientation = geometry_.orientation(vertices);
+      }
+      if (orientation != Sign::positive) on_inverted(finite_[i]);
+    }
+  }
+
+  /// The same for a batch of cells that are known to be positively oriented. Returns how many are finite;
+  /// these come first in finite_, and orientations_ has those that are certain.
+  std::size_t compute(std::span<const Index> batch) {
     std::size_t count = 0;
     double* row = rows_.data();
     for (const Index cell : batch) {
@@ -62,15 +76,12 @@ class MovedCells {
     }
     geometry_.create_from_rows({finite_.data(), count}, {simplices_.data(), count}, rows_.data(),
                                orientations_.data());
-    for (std::size_t i = 0; i < count; ++i) {
-      Sign orientation = orientations_[i];
-      if (orientation == Sign::zero) {
+    for (std::size_t i = 0; i < count; ++i)
+      if (orientations_[i] == Sign::zero) {
         const auto vertices = cells_.vertices(finite_[i]);
-        orientation = geometry_.create(finite_[i], vertices, -1, 0);
-        if (orientation == Sign::zero) orientation = geometry_.orientation(vertices);
+        orientations_[i] = geometry_.create(finite_[i], vertices, -1, 0);
       }
-      if (orientation != Sign::positive) on_inverted(finite_[i]);
-    }
+    return count;
   }
 
   /// Renews the cells in some slots. Cells that are not positively oriented are added to `inverted`, and the

@@ -57,22 +57,36 @@ class Relocation {
     return {Outcome::done, v, around_, hole_.empty() ? std::span<const Index>() : filler_.created()};
   }
   /// After any vertices have moved, in up to `threads` threads (Options::threads). `find_inside` returns a
-  /// query in the interior of the hull, with weights one as heavy as any vertex, or nothing. `costly`, and
-  /// soon, where much has changed; then some cells may have changed, and all functionals are wrong. Some of
-  /// the cells that were made may be gone again.
-  template <class FindInside>
-  Change relocate_all(unsigned threads, FindInside&& find_inside) {
+  /// query in the interior of the hull, with weights one as heavy as any vertex, or nothing. Where a hole at
+  /// the hull cannot be filled, `put_back` is called at most once, with vertices, those of the hull among
+  /// them: these are to get the points that they had. `costly`, and soon, where much has changed; then some
+  /// cells may have changed, and all functionals are wrong. Some of the cells that were made may be gone
+  /// again.
+  template <class FindInside, class PutBack>
+  Change relocate_all(unsigned threads, FindInside&& find_inside, PutBack&& put_back) {
     bad_.clear();
     seeds_.clear();
     created_.clear();
     if (!is_promising()) return {Outcome::costly};
     find_all_bad_cells(threads);
-    if (!fill_holes() || !covers_once(threads, find_inside)) return {Outcome::costly};
+    if (!fill_holes()) {
+      const bool is_at_hull =
+          std::any_of(hole_.begin(), hole_.end(), [&](Index cell) { return geometry_.is_infinite(cell); });
+      if (!is_at_hull || !release_hull(put_back) || !fill_holes()) return {Outcome::costly};
+    }
+    if (!covers_once(threads, find_inside)) return {Outcome::costly};
     return {Outcome::done, invalid_index, {}, created_};
   }
-  /// The cells whose functionals relocate() has computed: those that the vertex had, or some of them; after a
-  /// relocation also those that are gone.
-  std::span<const Index> star() const { return around_; }
+  /// After a relocation that was too costly, when the vertex is where it was: computes the functionals of its
+  /// cells again.
+  void take_back() noexcept {
+    try {
+      for (std::size_t i = 0; i < around_.size(); i += batch_size)
+        moved_cells_.compute({around_.data() + i, std::min(batch_size, around_.size() - i)});
+    } catch (const std::bad_alloc&) {
+      for (const Index cell : around_) create_functional(cells_, geometry_, cell);
+    }
+  }
 
  private:
   enum State : std::uint32_t { is_bad, is_in_hole, is_new };
@@ -113,7 +127,10 @@ class Relocation {
     return are_positive;
   }
   void add_bad(Index cell) {
-    if (bad_.insert(cell, is_bad).second) seeds_.push_back(cell);
+    const auto [state, is_unknown] = bad_.insert(cell, is_bad);
+    if (!is_unknown && state == is_bad) return;
+    state = is_bad;
+    seeds_.push_back(cell);
   }
   void add_bad(const FacetToTest& facet) {
     add_bad(facet.cell);
@@ -141,7 +158,7 @@ class Relocation {
   /// rebuild costs less.
   bool is_promising() {
     constexpr std::size_t most = 1024;
-    const std::size_t one_in = 12 * static_cast<std::size_t>(dimension());
+    const std::size_t one_in = 8 * static_cast<std::size_t>(dimension());
     std::size_t num_tested = 0, num_bad = 0;
     const std::size_t step = cells_.num_slots() / most + 1;
     for (std::size_t slot = 0; slot < cells_.num_slots(); slot += step) {
@@ -180,6 +197,67 @@ class Relocation {
       for (const FacetToTest& facet : part.bad) add_bad(facet);
       sphere_.effort().stages += part.counts;
     }
+  }
+
+  /// After a hole at the hull that cannot be filled: puts back the vertices of the hull, and those of all
+  /// holes that reach it, as vertices close to a flat part of the hull pass it in any order. Then the hull is
+  /// what it was. Finds the cells around these vertices that are bad now. Returns false, and has put none
+  /// back, if they are not few: to move them one by one takes tens of times as long as to insert them in a
+  /// batch.
+  template <class PutBack>
+  bool release_hull(PutBack&& put_back) {
+    constexpr std::size_t one_in = 32;
+    vertices_.clear();
+    is_put_back_.clear();
+    const auto put_all = [&](Index cell) {
+      for (int i = 0; i <= dimension(); ++i) {
+        const Index v = cells_.vertex(cell, i);
+        if (v >= is_put_back_.size()) is_put_back_.resize(2 * std::size_t{v} + 1, 0);
+        if (v != index(infinite_vertex) && is_put_back_[v] == 0) vertices_.push_back(v);
+        is_put_back_[v] = v != index(infinite_vertex);
+      }
+    };
+    for (const Index seed : seeds_)
+      if (geometry_.is_infinite(seed) && *bad_.find_value(seed) == is_bad) take(seed);
+    collect();
+    for (const Index cell : hole_) put_all(cell);
+    for (Index cell = 0; cell < cells_.num_slots(); ++cell)
+      if (!cells_.is_vacant(cell) && geometry_.is_infinite(cell)) put_all(cell);
+    // A vertex has more cells than a cell has vertices.
+    if (one_in * vertices_.size() > cells_.num_cells() / width()) return false;
+    put_back(std::span<const Index>(vertices_));
+    around_.clear();
+    for (Index cell = 0; cell < cells_.num_slots(); ++cell) {
+      if (cells_.is_vacant(cell)) continue;
+      const std::uint32_t* const state = bad_.find_value(cell);
+      bool is_around = state != nullptr && *state == is_in_hole;  // of the hole that was not filled
+      for (int i = 0; i <= dimension(); ++i) {
+        const Index v = cells_.vertex(cell, i);
+        is_around |= v < is_put_back_.size() && is_put_back_[v] != 0;
+      }
+      if (!is_around) continue;
+      around_.push_back(cell);
+      if (state != nullptr) bad_.set(cell, is_new);
+    }
+    std::erase_if(seeds_, [&](Index cell) { return *bad_.find_value(cell) != is_bad; });
+    around_set_.clear();
+    for (std::size_t i = 0; i < around_.size(); i += batch_size) {
+      internal::cancellation_point();
+      const std::size_t count = std::min(batch_size, around_.size() - i);
+      moved_cells_.renew({around_.data() + i, count}, [&](Index cell) {
+        around_set_.insert(cell, 0);
+        add_bad(cell);
+      });
+    }
+    for (const Index cell : around_) {
+      if (++calls_ % 1024 == 0) internal::cancellation_point();
+      if (around_set_.contains(cell)) continue;
+      for (int slot = 0; slot <= dimension(); ++slot)
+        if (const FacetToTest facet = moved_cells_.facet_to(cell, cells_.neighbors(cell)[slot]);
+            !is_locally_delaunay(facet))
+          add_bad(facet);
+    }
+    return true;
   }
 
   /// All bad cells make one hole, so that it is filled or nothing changes. It may not reach the hull.
@@ -298,6 +376,8 @@ class Relocation {
   internal::StampedTable around_set_;  // the same
   internal::StampedTable bad_;         // the states of cells
   std::vector<Index> seeds_, hole_, created_;
+  std::vector<Index> vertices_;            // that are put back …
+  std::vector<std::uint8_t> is_put_back_;  // … the same, by id
   std::size_t calls_ = 0;
 };
 
