@@ -164,6 +164,43 @@ for step in (0.001, 0.005, 0.01, 0.1):
     row(f"time step by {step:g} of the spacing, 3e5 points 3D, of a rebuild")(time_step_row)
 
 
+for dimension, n, m in ((2, 100000, 2000), (4, 20000, 100), (5, 5000, 40), (6, 2000, 10)):
+    def removal_row(dimension=dimension, n=n, m=m):
+        triangulation = delone.Delaunay(random().random((n, dimension)), threads=1)
+        rows, points = iter(random(2).permutation(n)), random(3)
+
+        def remove():
+            for each in itertools.islice(rows, m):
+                triangulation.remove([each])
+
+        def insert():
+            for _ in range(m):
+                triangulation.edit(insert=points.random((1, dimension)))
+
+        return remove, insert
+    row(f"{m} removals of {n} points {dimension}D, of insertions")(removal_row)
+
+
+def moves(points, spacing, m):
+    """A job that moves some of the points, one by one, by a tenth of the spacing, and in the next turn back."""
+    triangulation, rows = delone.Delaunay(points, threads=1), random(2).permutation(len(points))[:m]
+    moved = points[rows] + 0.1 * spacing * (random(3).random((m, points.shape[1])) - 0.5)
+    ends = itertools.cycle((moved, points[rows]))
+
+    def move():
+        for each, to in zip(rows, next(ends)):
+            triangulation.move([each], to[None])
+
+    return move
+
+
+for dimension, side, m in ((2, 316, 2000), (3, 46, 1000), (4, 12, 100), (5, 6, 10)):
+    def lattice_row(dimension=dimension, side=side, m=m):
+        lattice = np.stack(np.meshgrid(*[np.arange(float(side))] * dimension, indexing="ij"), -1).reshape(-1, dimension)
+        return moves(lattice, 1, m), moves(random().random(lattice.shape), 1 / side, m)
+    row(f"{m} moves in a lattice {side}^{dimension}, of uniform points")(lattice_row)
+
+
 def least(job, rounds, patience):
     """The least processor time of some runs, in milliseconds; one run if it takes longer than that."""
     best = None

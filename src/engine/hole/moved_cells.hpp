@@ -50,7 +50,10 @@ class MovedCells {
     const std::size_t count = compute(batch);
     for (std::size_t i = 0; i < count; ++i) {
       Sign orientation = orientations_[i];
-      if (orientation == Sign::zero) orientation = geometry_.orientation(cells_.vertices(finite_[i]));
+      if (orientation == Sign::zero) {
+        const auto vertices = cells_.vertices(finite_[i]);
+        orientation = geometry_.orientation(vertices);
+      }
       if (orientation != Sign::positive) on_inverted(finite_[i]);
     }
   }
@@ -74,8 +77,10 @@ class MovedCells {
     geometry_.create_from_rows({finite_.data(), count}, {simplices_.data(), count}, rows_.data(),
                                orientations_.data());
     for (std::size_t i = 0; i < count; ++i)
-      if (orientations_[i] == Sign::zero)
-        orientations_[i] = geometry_.create(finite_[i], cells_.vertices(finite_[i]), -1, 0);
+      if (orientations_[i] == Sign::zero) {
+        const auto vertices = cells_.vertices(finite_[i]);
+        orientations_[i] = geometry_.create(finite_[i], vertices, -1, 0);
+      }
     return count;
   }
 
