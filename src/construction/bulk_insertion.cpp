@@ -4,6 +4,8 @@
 #include "base/compiled_dimension.hpp"
 #include "base/compiler.hpp"
 #include "base/parallel.hpp"
+#include "base/progress_meter.hpp"
+#include "base/quick_rounds.hpp"
 
 #include <algorithm>
 #include <new>
@@ -22,6 +24,7 @@ void append_in_order(std::span<const double> rows, std::size_t width, std::span<
     std::vector<double> block(std::min(most_in_block, order.size()) *
                               w);  // in the cache: vectors cannot grow without being written
     for (std::size_t first = 0; first < order.size(); first += most_in_block) {
+      internal::cancellation_point();
       const std::size_t count = std::min(most_in_block, order.size() - first);
       for (std::size_t i = 0; i < count; ++i) {
         internal::prefetch(rows.data() + order[std::min(first + i + ahead, order.size() - 1)] * w);
@@ -70,7 +73,9 @@ void BulkInsertion::find_box() {
   const std::size_t width = state_.row_size();
   low_.assign(point_at(0), point_at(0) + width);
   high_ = low_;
+  internal::QuickRounds quick;
   for (std::size_t place = 0; place < order_.size(); ++place) {
+    quick();
     const double* const point = point_at(place);
     state_.sites.points().grid.include(point);
     for (std::size_t j = 0; j < width; ++j) {

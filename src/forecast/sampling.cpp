@@ -2,6 +2,7 @@
 #include "forecast/sampling.hpp"
 
 #include "base/platform.hpp"
+#include "base/stopwatch.hpp"
 #include "forecast/growth.hpp"
 #include "forecast/quantities.hpp"
 
@@ -50,6 +51,12 @@ class Sampling {
     return std::max(options.sample_seconds, least) + ahead;
   }
 
+  /// Where the machine has other work to do, the clock on the wall ends samples a little later.
+  bool is_overdue() const {
+    constexpr double wait = 0.1;
+    return stopwatch_.seconds() > most_seconds_ + wait;
+  }
+
   /// The cost of sets in many dimensions grows fast. Beyond the compiled ones the first samples have hardly
   /// more points than a simplex.
   std::size_t first_size() const {
@@ -69,11 +76,11 @@ class Sampling {
     const double begin = platform::thread_seconds();
     const std::vector<double> points = set_.sample(m);
     const double start = platform::thread_seconds(), last = begin + most_seconds_ - spent_;
-    if (!(start < last)) return false;
+    if (!(start < last) || is_overdue()) return false;
     bool is_late = false;
     const auto goes_on = [&](double) {
       const ArithmeticScope arithmetic;  // progress functions run in the state of the caller
-      is_late = platform::thread_seconds() > last;
+      is_late = platform::thread_seconds() > last || is_overdue();
       return !is_late;
     };
     std::optional<Delaunay<>> built;
@@ -158,6 +165,7 @@ class Sampling {
   std::size_t largest_ = 0;
   double spent_;
   const double most_seconds_;
+  internal::Stopwatch stopwatch_;
 };
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace delone::halfspaces {
 
 SitesToInsert sites_to_insert(const IntersectionParts& parts, Index first, const Options& options) {
-  constexpr std::size_t least_sieved = 2048;
+  constexpr std::size_t least_sieved = 256;
   // The leading part of a dual point's coordinate is the nearest double or a neighbor of it: off by at most
   // 3/2 of the distance of doubles there.
   constexpr double relative_error = 2 * 0x1p-52;

@@ -107,6 +107,7 @@ std::vector<Index> spread_order(PointsView points, std::uint64_t seed, std::vect
   for (auto pass = passes.rbegin(); pass != passes.rend(); ++pass) {
     const std::size_t n = pass->rows.size(), stretch = std::min(stretch_size(d), n);
     for (std::size_t i = 0; i < n; i += stretch) {
+      internal::cancellation_point();
       const std::size_t length = std::min(stretch, n - i), begin = backwards ? n - i - length : i;
       bool turned = backwards;
       for (std::uint8_t round = kept_round; round-- > 0; turned = !turned) {
