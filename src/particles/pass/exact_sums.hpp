@@ -5,8 +5,8 @@
 // Let N = 2^L be more than the number of terms, and |x| ≤ 2^e. With A = 1.5·2^(e+L), the sum x + A is in
 // [2^(e+L), 2^(e+L+1)], where doubles are multiples of a quantum q = 2^(e+L−52). So (x + A) − A is the
 // nearest multiple of q, what it differs from x by is at most q/2 and exact, and sums of such multiples are
-// exact, as they are at most N·2^e = 2^52·q. The rest is split in the same way, with e + L − 53 in the place
-// of e. After two levels a term has lost at most 2^(e+2L−107).
+// exact, as they are at most N·2^e = 2^52·q. The rest is split in the same way, with e + L − 52 in the place
+// of e. After two levels a term has lost at most 2^(e+2L−105).
 #pragma once
 
 #include <algorithm>
