@@ -148,7 +148,7 @@ js: npm               ## test the npm package in Node and in Chromium: its resul
 	tools/install_dependencies.sh browser
 	cmake --preset release $(launcher) >/dev/null
 	cmake --build --preset release -j $(jobs)
-	python3 -B tests/js/run.py build/js/delone build/release
+	/usr/bin/python3 -B tests/js/run.py build/js/delone build/release
 
 bench: python         ## time the standard constructions, in some minutes
 	tools/install_dependencies.sh bench

@@ -11,6 +11,7 @@ every link and anchor of the finished site is followed. The page to try delone c
 """
 import argparse
 import html.parser
+import json
 import os
 import pathlib
 import re
@@ -210,12 +211,15 @@ def bundle_theme(site):
 
 
 def add_package(site):
-    """Copies the npm package, without which the page to try delone says how to make it."""
+    """Copies the npm package. Without it the page to try delone says how to make it."""
     package = ROOT / "build" / "js" / "delone"
     if (package / "module.wasm").is_file():
         shutil.copytree(package, site / "_static" / "delone")
     else:
-        print("make_site.py: try.html has nothing to compute with; `make npm` makes it, with emscripten")
+        missing = "This copy of the site was made without emscripten, by which this page computes. `make npm` installs it, then `make site` makes the page."
+        (site / "_static" / "delone").mkdir()
+        (site / "_static" / "delone" / "index.js").write_text(f"throw new Error({json.dumps(missing)});\n", encoding="utf-8")
+        print("make_site.py: " + missing)
 
 
 def broken_links(site):

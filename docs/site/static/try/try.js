@@ -22,6 +22,9 @@ const handlers = {
     setBusy(false);
     say("");
   },
+  unable({ message }) {
+    say(message, true);
+  },
   progress({ fraction }) {
     element("progress").value = fraction;
   },
@@ -51,8 +54,7 @@ function startWorker() {
   worker = new Worker(new URL("worker.js", import.meta.url), { type: "module" });
   worker.onmessage = ({ data }) => handlers[data.event](data);
   worker.onerror = () => {
-    element("stop").hidden = element("progress").hidden = true;
-    say("This copy of the site has no module to compute with. Where emscripten is installed, `make npm` and then `make site` build it; the page must be served by a web server.", true);
+    say("This page computes only if a web server has sent it: python3 -m http.server, for instance, in the folder of the site.", true);
   };
 }
 

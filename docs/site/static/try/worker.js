@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What try.js has computed: points of a file, a product of them, a page that shows it, files of it.
-const delone = await import("../delone/index.js");
+let delone; // the package
 const number = new Intl.NumberFormat("en");
 const largestPage = 2000000; // cells: pages of more are slow
 
@@ -67,4 +67,9 @@ self.onmessage = ({ data }) => {
     self.postMessage({ event: "failure", message: error.message });
   }
 };
-self.postMessage({ event: "ready" });
+try {
+  delone = await import("../delone/index.js");
+  self.postMessage({ event: "ready" });
+} catch (error) {
+  self.postMessage({ event: "unable", message: error.message });
+}
