@@ -171,6 +171,32 @@ Named face_of(const PeriodicTriangulation& t, const PeriodicPointLocator& locato
   return named;
 }
 
+/// Of all cells and their translates that have these vertices, the one of the least row and offset.
+std::pair<SignedIndex, Offset> first_with(const PeriodicTriangulation& t, const Named& face) {
+  const auto corners = static_cast<std::size_t>(t.affine_dimension() + 1),
+             r = static_cast<std::size_t>(t.rank());
+  std::vector<std::pair<SignedIndex, Offset>> all;
+  for (std::size_t c = 0; c < t.num_cells(); ++c)
+    for (std::size_t i = 0; i < corners; ++i) {
+      const auto offset_of = [&](std::size_t j) {
+        return t.cell_offsets().subspan((c * corners + j) * r, r);
+      };
+      if (t.cells()[c * corners + i] != std::get<0>(face[0])) continue;
+      Offset by = std::get<1>(face[0]);
+      for (std::size_t l = 0; l < r; ++l) by[l] -= offset_of(i)[l];
+      const bool has_all = std::ranges::all_of(face, [&](const auto& vertex) {
+        for (std::size_t j = 0; j < corners; ++j) {
+          Offset there = by;
+          for (std::size_t l = 0; l < r; ++l) there[l] += offset_of(j)[l];
+          if (t.cells()[c * corners + j] == std::get<0>(vertex) && there == std::get<1>(vertex)) return true;
+        }
+        return false;
+      });
+      if (has_all) all.emplace_back(static_cast<SignedIndex>(c), by);
+    }
+  return *std::min_element(all.begin(), all.end());
+}
+
 void expect_near(const Named& a, const Named& b, double error) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -213,6 +239,9 @@ TEST(PeriodicQueries, LocationAsAmongCopies) {
       SCOPED_TRACE("query " + std::to_string(at / copies.d));
       ASSERT_EQ(kind, expected_kind);
       expect_near(found, expected, 1e-9);
+      if (cell >= 0) {
+        EXPECT_EQ(std::pair(cell, offset), first_with(*t, found));
+      }
       const PeriodicLocatedPoints places = locator.locate(query);
       EXPECT_EQ(places.cells[0], cell);
       EXPECT_EQ(places.offsets, cell < 0 ? Offset(copies.r) : offset);
