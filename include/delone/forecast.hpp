@@ -63,10 +63,10 @@ DELONE_EXPORT Forecast forecast(int dimension, std::size_t num_points, std::stri
 /// distances of nearest neighbors; its cells follow from its volume. Duplicates are counted.
 ///
 /// Cost: about a twentieth of the construction or 0.3 seconds, at most sample_seconds, and O(n·d) to read the
-/// points, up to 15 times. A sample that has not ended 0.2 seconds after sample_seconds, or after a second if
-/// that is later, is given up, of processor time, or 0.3 seconds of time on a busy machine; then smaller ones
-/// tell what they can, or points spread evenly do, and the range says so. Throws Errc::not_finite, bad_dimension, cancelled, out_of_memory, and invalid_argument for
-/// sample_seconds.
+/// points, up to 15 times. A sample is given up 0.2 seconds of processor time after sample_seconds, or after
+/// a second if that is later, and where the machine is busy, after 0.3 seconds on the clock. Then smaller
+/// ones tell what they can, or points spread evenly do, and the range says so. Throws Errc::not_finite,
+/// bad_dimension, cancelled, out_of_memory, and invalid_argument for sample_seconds.
 DELONE_EXPORT Forecast estimate(const AnyPoints<>& points, int dimension,
                                 const ForecastOptions& options = {});
 

@@ -25,68 +25,6 @@ constexpr int most_steps = 100;  // of a walk
 
 }  // namespace
 
-/// The inverses of the cells' cones, each computed on first use.
-class GrowingShell::Cones {
- public:
-  Cones(const HullState& state, const double* center)
-      : sites_(state.sites()),
-        hull_(state.hull()),
-        center_(center),
-        d_(static_cast<std::size_t>(sites_.ambient)),
-        inverses_(hull_.num_cells() * d_ * d_),
-        is_known_(hull_.num_cells(), 0) {}
-
-  const SimplicialHull& hull() const { return hull_; }
-
-  /// The matrix that takes x − o to the weights of the cell's vertices; with numbers that are none if
-  /// binary64 finds the cone to be flat.
-  const double* inverse(std::size_t cell) {
-    double* const result = inverses_.data() + cell * d_ * d_;
-    if (std::exchange(is_known_[cell], 1) == 0) invert(cell, result);
-    return result;
-  }
-  double edge(std::size_t cell, std::size_t i, std::size_t j) const {
-    return sites_.point(hull_.cell(cell)[i])[j] - center_[j];
-  }
-
- private:
-  void invert(std::size_t cell, double* result) {
-    matrix_.resize(d_ * 2 * d_);
-    const std::size_t width = 2 * d_;
-    for (std::size_t r = 0; r < d_; ++r)
-      for (std::size_t c = 0; c < d_; ++c) {
-        matrix_[r * width + c] = edge(cell, c, r);
-        matrix_[r * width + d_ + c] = r == c ? 1 : 0;
-      }
-    for (std::size_t s = 0; s < d_; ++s) {
-      std::size_t pivot = s;
-      for (std::size_t r = s + 1; r < d_; ++r)
-        if (std::fabs(matrix_[r * width + s]) > std::fabs(matrix_[pivot * width + s])) pivot = r;
-      if (pivot != s)
-        std::swap_ranges(matrix_.begin() + static_cast<std::ptrdiff_t>(s * width),
-                         matrix_.begin() + static_cast<std::ptrdiff_t>((s + 1) * width),
-                         matrix_.begin() + static_cast<std::ptrdiff_t>(pivot * width));
-      double* const row = matrix_.data() + s * width;
-      const double factor = 1 / row[s];
-      for (std::size_t c = s; c < width; ++c) row[c] *= factor;
-      for (std::size_t r = 0; r < d_; ++r) {
-        double* const other = matrix_.data() + r * width;
-        const double part = other[s];
-        if (r == s || part == 0) continue;
-        for (std::size_t c = s; c < width; ++c) other[c] -= part * row[c];
-      }
-    }
-    for (std::size_t r = 0; r < d_; ++r) std::copy_n(matrix_.data() + r * width + d_, d_, result + r * d_);
-  }
-
-  const BoundarySites& sites_;
-  const SimplicialHull& hull_;
-  const double* center_;
-  std::size_t d_;
-  std::vector<double> inverses_, matrix_;
-  std::vector<char> is_known_;
-};
-
 GrowingShell::GrowingShell(PointSieve& sieve, double tolerance, std::function<void()> alive)
     : sieve_(sieve),
       d_(sieve.box().center.size()),
@@ -119,7 +57,7 @@ bool GrowingShell::run(const Limits& limits) {
 
 std::size_t GrowingShell::cell_of(std::size_t point_number) {
   if (!cones_) {
-    cones_ = std::make_unique<Cones>(shell(), boundary().center().data());
+    cones_ = std::make_unique<CellCones>(shell(), boundary().center().data());
     cell_ = 0;
   }
   set_out_for(point(point_number));
@@ -133,7 +71,7 @@ std::size_t GrowingShell::cell_of(std::size_t point_number) {
 
 /// Sets weights_ to the nonnegative ones nearest to those of p in the cone of a cell, and returns a bound
 /// on the distance.
-double GrowingShell::distance_up(const Cones& cones, std::size_t cell) {
+double GrowingShell::distance_up(const CellCones& cones, std::size_t cell) {
   double sum = 0, square = 0, moved = 0;
   for (double& w : weights_) sum += w = std::max(w, 0.0);
   if (sum > 1)
@@ -161,7 +99,7 @@ void GrowingShell::set_out_for(const double* p) {
 }
 
 /// Sets weights_ to those of the point in the cone where the walk is, and sum_; returns the least of them.
-std::size_t GrowingShell::weigh(Cones& cones) {
+std::size_t GrowingShell::weigh(CellCones& cones) {
   const double* const inverse = cones.inverse(cell_);
   std::size_t least = 0;
   sum_ = 0;
@@ -176,13 +114,13 @@ std::size_t GrowingShell::weigh(Cones& cones) {
 }
 
 /// Where a walk goes on, after so many steps. Flat cones lead nowhere in particular.
-std::size_t GrowingShell::across(const Cones& cones, std::size_t least, int step) const {
+std::size_t GrowingShell::across(const CellCones& cones, std::size_t least, int step) const {
   const bool is_flat = !(sum_ > -internal::infinity && sum_ < internal::infinity);
   return cones.hull().neighbors_of(cell_)[is_flat ? static_cast<std::size_t>(step) % d_ : least];
 }
 
 /// Walks to the cone of a point and returns a bound on its distance; cell_ is where it ends.
-double GrowingShell::walk(Cones& cones, const double* p) {
+double GrowingShell::walk(CellCones& cones, const double* p) {
   set_out_for(p);
   double best = internal::infinity;
   for (int step = 0; step < most_steps; ++step) {
@@ -199,8 +137,8 @@ double GrowingShell::walk(Cones& cones, const double* p) {
 
 /// Takes out the open points that are covered or in the interior; sets cells_ for the others.
 void GrowingShell::cover() {
-  cones_ = std::make_unique<Cones>(shell(), boundary().center().data());
-  Cones& cones = *cones_;
+  cones_ = std::make_unique<CellCones>(shell(), boundary().center().data());
+  CellCones& cones = *cones_;
   const compiled::BoundaryEngine& engine = *boundary().engine();
   std::vector<Index> start(1);
   cells_.clear();

@@ -2,6 +2,7 @@
 // A shell that grows until it covers a set up to a small distance, with few vertices that are not extreme.
 #pragma once
 
+#include "hull/cell_cones.hpp"
 #include "hull/point_sieve.hpp"
 #include "kernel/nearest_in_hull.hpp"
 
@@ -43,16 +44,14 @@ class GrowingShell {
   std::size_t cell_of(std::size_t point);
 
  private:
-  class Cones;
-
   const double* point(std::size_t i) const { return sieve_.remaining_points().data() + i * d_; }
   HullState& shell() { return sieve_.shell(); }
   const Boundary& boundary() { return *shell().boundary(); }
-  double distance_up(const Cones& cones, std::size_t cell);
+  double distance_up(const CellCones& cones, std::size_t cell);
   void set_out_for(const double* p);
-  std::size_t weigh(Cones& cones);
-  std::size_t across(const Cones& cones, std::size_t least, int step) const;
-  double walk(Cones& cones, const double* p);
+  std::size_t weigh(CellCones& cones);
+  std::size_t across(const CellCones& cones, std::size_t least, int step) const;
+  double walk(CellCones& cones, const double* p);
   void cover();
   bool extend();
   bool cover_by_all();
@@ -63,11 +62,11 @@ class GrowingShell {
   std::function<void()> alive_;
   kernel::NearestInHull nearest_;
   std::vector<std::size_t> open_, covered_;
-  std::vector<Index> cells_;      // where the open ones are
-  std::unique_ptr<Cones> cones_;  // of the shell as it is now
-  std::size_t cell_ = 0;          // where the walk is
-  double sum_ = 0;                // of the weights found
-  std::size_t products_ = 0;      // so far
+  std::vector<Index> cells_;          // where the open ones are
+  std::unique_ptr<CellCones> cones_;  // of the shell as it is now
+  std::size_t cell_ = 0;              // where the walk is
+  double sum_ = 0;                    // of the weights found
+  std::size_t products_ = 0;          // so far
   std::vector<double> difference_, weights_;
 };
 

@@ -140,6 +140,34 @@ TEST(TolerantHull, KeepsItsPromisesOnRandomPoints) {
     }
 }
 
+// So many vertices that a first choice is grown: round, on a few scales, on a sheet that is nearly flat, and
+// with corners that are necessary.
+TEST(TolerantHull, KeepsItsPromisesOnManyVertices) {
+  std::mt19937_64 random(4);
+  std::normal_distribution<double> normal;
+  for (const int d : {2, 3, 4})
+    for (const double stretch : {1.0, 1e-3, 1e4})
+      for (const double scale : {1.0, 1e-290, 1e290}) {
+        const auto width = static_cast<std::size_t>(d);
+        std::vector<double> points(300 * width);
+        for (std::size_t at = 0; at < points.size(); at += width) {
+          double square = 0;
+          for (std::size_t j = 0; j < width; ++j)
+            square += (points[at + j] = normal(random)) * points[at + j];
+          for (std::size_t j = 0; j < width; ++j) points[at + j] *= scale / std::sqrt(square);
+          points[at] *= stretch;
+        }
+        std::vector<double> corner(width, 0.0);
+        corner.back() = 3 * scale;
+        points.insert(points.end(), corner.begin(), corner.end());
+        for (const double tolerance : {1e-6, 0.02, 0.3}) {
+          SCOPED_TRACE(testing::Message() << d << "D, " << stretch << ", " << scale << ", " << tolerance);
+          expect_promises(points, d, scale * tolerance);
+          if (stretch != 1) expect_independent_of_order(points, d, scale * tolerance);
+        }
+      }
+}
+
 // The ray from a point well inside through one that is close beneath the middle of a facet leaves by it.
 TEST(TolerantHull, AQueryInsideHasTheCellThatItsRayLeavesBy) {
   for (const int n : {2, 4})

@@ -23,6 +23,14 @@ constexpr std::size_t most_rounds = 64;
 constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
 constexpr std::size_t most_first = 12;  // kept points to begin with when one is dropped
 
+/// An upper bound on the length of a direction; 0 if it is too long or too short to prove anything.
+double length_up(std::span<const double> n) {
+  double square = 0;
+  for (const double x : n) square += x * x;
+  const double length = std::sqrt(square) * (1 + static_cast<double>(n.size() + 4) * kernel::unit_roundoff);
+  return length > 0x1p-400 && length < 0x1p400 ? length : 0;
+}
+
 }  // namespace
 
 Cover::Cover(std::vector<const double*> points, int dimension, double tolerance, AddNeighbors add_neighbors,
@@ -35,8 +43,16 @@ Cover::Cover(std::vector<const double*> points, int dimension, double tolerance,
       states_(points_.size()),
       users_(points_.size()),
       normals_(points_.size() * static_cast<std::size_t>(dimension), 0.0),
-      marks_(points_.size(), 0) {
-  if (!points_.empty()) tree_.emplace(points_, dimension);
+      marks_(points_.size(), 0) {}
+
+/// Makes the tree, if there is none yet. Points that are covered are never kept, see approach().
+void Cover::plant() {
+  if (tree_) return;
+  std::vector<Index> members;
+  for (std::size_t p = 0; p < points_.size(); ++p)
+    if (!states_[p].is_covered) members.push_back(static_cast<Index>(p));
+  tree_.emplace(points_, dimension_, std::move(members));
+  for (const Index p : kept_) tree_->insert(p);
 }
 
 bool Cover::exceeds(std::span<const double* const> points, const double* q) {
@@ -50,7 +66,7 @@ bool Cover::exceeds(std::span<const double* const> points, const double* q) {
 void Cover::keep(Index p) {
   states_[p].is_kept = true;
   kept_.push_back(p);
-  tree_->insert(p);
+  if (tree_) tree_->insert(p);
 }
 
 void Cover::require(Index p) {
@@ -133,19 +149,22 @@ void Cover::find_local(Index p) {
 Cover::Step Cover::step(Index p) {
   const auto d = static_cast<std::size_t>(dimension_);
   const std::span<const double> normal(normals_.data() + p * d, d);
-  double square = 0;
-  for (const double x : normal) square += x * x;
-  const double length = std::sqrt(square) * (1 + static_cast<double>(d + 4) * kernel::unit_roundoff);
-  if (length > 0x1p-400 && length < 0x1p400) {
+  const double square = std::inner_product(normal.begin(), normal.end(), normal.begin(), 0.0);
+  if (const double length = length_up(normal); length > 0) {
     const auto [least, certain, farthest] = tree_->support(points_[p], normal, local_);
     const bool is_new = std::find(local_.begin(), local_.end(), farthest) == local_.end();
     if (is_new && least < square * (1 - 0x1p-40)) {
       local_.push_back(farthest);
       return look(p, local_) ? Step::covered : Step::nearer;
     }
-    if (certain > tolerance_ * length * (1 + 4 * kernel::unit_roundoff) + 0x1p-1000) return Step::far;
+    if (certain > least_beyond(length)) return Step::far;
   }
   return look_at_all(p) ? Step::covered : Step::far;
+}
+
+/// A point with larger products n·(q − w) for a direction of this length is farther than the tolerance.
+double Cover::least_beyond(double length) const {
+  return tolerance_ * length * (1 + 4 * kernel::unit_roundoff) + 0x1p-1000;
 }
 
 bool Cover::look_at_all(Index p) {
@@ -191,10 +210,11 @@ bool Cover::add_witness_of(Index p, const std::vector<char>& allowed) {
 
 bool Cover::complete(const std::vector<char>& allowed) {
   if (kept_.empty()) keep(static_cast<Index>(std::find(allowed.begin(), allowed.end(), 1) - allowed.begin()));
+  plant();
   using Entry = std::pair<double, std::int64_t>;  // of equal bounds the first point comes first
   std::priority_queue<Entry> queue;
   for (std::size_t p = 0; p < points_.size(); ++p)
-    if (!states_[p].is_kept && !cover(static_cast<Index>(p), internal::infinity))
+    if (!states_[p].is_kept && !states_[p].is_covered && !cover(static_cast<Index>(p), internal::infinity))
       queue.emplace(states_[p].upper, -static_cast<std::int64_t>(p));
   while (!queue.empty()) {
     const auto p = static_cast<Index>(-queue.top().second);
@@ -212,6 +232,25 @@ bool Cover::complete(const std::vector<char>& allowed) {
   return true;
 }
 
+/// Whether the mean of the unit normals of some points proves that p is farther than the tolerance from all
+/// that is kept.
+bool Cover::is_far_along_normals(Index p, std::span<const Index> points) {
+  if (tree_->size() == 0) return false;
+  const auto d = static_cast<std::size_t>(dimension_);
+  mean_.assign(d, 0.0);
+  for (const Index u : points) {
+    const double* const normal = normals_.data() + u * d;
+    const double length = std::sqrt(std::inner_product(normal, normal + d, normal, 0.0));
+    if (!(length > 0x1p-400 && length < 0x1p400)) continue;
+    for (std::size_t j = 0; j < d; ++j) mean_[j] += normal[j] / length;
+  }
+  const double length = length_up(mean_);
+  local_.clear();
+  for (const Index v : first_of_drop_)
+    if (states_[v].is_kept) local_.push_back(v);
+  return length > 0 && tree_->support(points_[p], mean_, local_).certain > least_beyond(length);
+}
+
 /// Whether p, no longer kept, and all whose witnesses it was in are covered; if not, nothing has changed.
 /// kept_ still holds it.
 bool Cover::can_drop(Index p) {
@@ -227,6 +266,11 @@ bool Cover::can_drop(Index p) {
   first_of_drop_.clear();
   for (std::size_t i = 1; i < concerned.size() && first_of_drop_.size() < most_first; ++i)
     for (const Index v : states_[concerned[i]].face) first_of_drop_.push_back(v);
+  if (is_far_along_normals(p, std::span(concerned).subspan(1))) {
+    states_[p].is_kept = true;
+    tree_->insert(p);
+    return false;
+  }
   std::vector<State> before;
   for (const Index u : concerned) {
     before.push_back(states_[u]);

@@ -30,6 +30,11 @@ class Cover {
 
   /// Keeps a point for good.
   void require(Index p);
+  /// Keeps a point until it is dropped.
+  void keep(Index p);
+  /// Looks for the point nearest to p, which is not kept, in the hull of d kept ones: a witness if near
+  /// enough, and then p is not kept any more. REQUIRES a complete() that allows all points.
+  void approach(Index p, std::span<const Index> kept) { look(p, kept); }
   /// Keeps further points of those that are `allowed`, farthest first, until all are covered. Returns false
   /// if that is impossible.
   bool complete(const std::vector<char>& allowed);
@@ -49,7 +54,7 @@ class Cover {
     std::vector<Index> face;  // the points whose hull that was the distance of; a witness if it is covered
   };
 
-  void keep(Index p);
+  void plant();
   bool look(Index p, std::span<const Index> pool);
   void find_local(Index p);
   enum class Step { covered, nearer, far };
@@ -58,6 +63,8 @@ class Cover {
   void set_normal(Index p, std::span<const Index> pool);
   bool cover(Index p, double enough);
   bool add_witness_of(Index p, const std::vector<char>& allowed);
+  double least_beyond(double length) const;
+  bool is_far_along_normals(Index p, std::span<const Index> points);
   bool can_drop(Index p);
   void refine(Index p);
 
@@ -74,6 +81,7 @@ class Cover {
   kernel::NearestInHull nearest_;
   std::vector<double> normals_;  // by point: from the nearest point that was found to it
   // Scratch.
+  std::vector<double> mean_;
   std::vector<const double*> pool_points_;
   std::vector<char> marks_;
   std::vector<Index> near_, local_;

@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -58,14 +57,13 @@ void find_thin_direction(std::vector<double>& covariance, std::size_t d, double*
 
 }  // namespace
 
-SupportTree::SupportTree(std::span<const double* const> points, int dimension)
+SupportTree::SupportTree(std::span<const double* const> points, int dimension, std::vector<Index> members)
     : points_(points.begin(), points.end()),
       d_(static_cast<std::size_t>(dimension)),
-      order_(points.size()),
+      order_(std::move(members)),
       leaf_of_(points.size(), 0),
       is_in_(points.size(), 0) {
-  std::iota(order_.begin(), order_.end(), Index{0});
-  nodes_.push_back({0, static_cast<Index>(points.size())});
+  nodes_.push_back({0, static_cast<Index>(order_.size())});
   slabs_.resize(slab_size());
   for (Index node = 0; node < nodes_.size(); ++node) divide(node);
 }

@@ -15,8 +15,9 @@ namespace delone::hull {
 /// function of the points and of which are in.
 class SupportTree {
  public:
-  /// REQUIRES n ≥ 1 points of R^dimension that outlive the tree. O(n·log n).
-  SupportTree(std::span<const double* const> points, int dimension);
+  /// REQUIRES points of R^dimension that outlive the tree, and at least one of them among the members: the
+  /// m points that may come in, each once. O(m·log m).
+  SupportTree(std::span<const double* const> points, int dimension, std::vector<Index> members);
 
   /// O(log n).
   void insert(Index p);

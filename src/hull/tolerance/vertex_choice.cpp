@@ -6,6 +6,7 @@
 #include "hull/hull_analysis.hpp"
 #include "hull/hull_state.hpp"
 #include "hull/tolerance/cover.hpp"
+#include "hull/tolerance/grown_choice.hpp"
 #include "kernel/nearest_in_hull.hpp"
 
 #include <algorithm>
@@ -52,17 +53,18 @@ bool is_far_along_mean(std::span<const double* const> neighbors, const double* v
   });
 }
 
-/// Which of the extreme sites are necessary, by their places.
-std::vector<char> find_necessary(const BoundarySites& sites, const ExtremeSites& extreme, double tolerance,
-                                 const std::function<void()>& alive) {
+/// Notes which of the extreme sites are necessary, by their places: of each `step`-th one.
+void find_necessary(const BoundarySites& sites, const ExtremeSites& extreme, double tolerance,
+                    std::size_t step, std::vector<char>& necessary, const std::function<void()>& alive) {
   const std::size_t h = extreme.size();
-  std::vector<char> necessary(h, 0), marks(h, 0);
+  std::vector<char> marks(h, 0);
   std::vector<Index> neighbors;
   std::vector<const double*> points;
   std::vector<double> scratch;
   Cover distances({}, sites.ambient, tolerance, {}, {});
-  for (std::size_t v = 0; v < h; ++v) {
+  for (std::size_t v = 0; v < h; v += step) {
     alive();
+    if (necessary[v] != 0) continue;
     neighbors.clear();
     marks[v] = 1;
     extreme.add_neighbors(v, marks, neighbors);
@@ -79,7 +81,6 @@ std::vector<char> find_necessary(const BoundarySites& sites, const ExtremeSites&
         is_far_along_mean(points, point, static_cast<std::size_t>(sites.ambient), tolerance, scratch) ||
         distances.exceeds(points, point);
   }
-  return necessary;
 }
 
 VertexChoice choice_of(Cover& cover, const ExtremeSites& extreme) {
@@ -110,7 +111,8 @@ std::optional<NearFlatChoice> choose_projected(const BoundarySites& sites, const
     if (state.affine_hull().dimension() < static_cast<int>(axes.size())) return std::nullopt;
     const HullAnalysis analysis(state);
     projected.emplace(state.sites(), analysis.facet_sites());
-    const std::vector<char> necessary = find_necessary(state.sites(), *projected, tolerance, alive);
+    std::vector<char> necessary(projected->size(), 0);
+    find_necessary(state.sites(), *projected, tolerance, 1, necessary, alive);
     for (std::size_t i = 0; i < projected->size(); ++i) {
       const auto place = static_cast<Index>(state.row(projected->site(i)));
       place_of.push_back(place);
@@ -136,6 +138,14 @@ std::optional<NearFlatChoice> choose_projected(const BoundarySites& sites, const
   if (!cover.complete(allowed)) return std::nullopt;
   cover.reduce();
   return NearFlatChoice{std::move(axes), choice_of(cover, extreme)};
+}
+
+/// Whether a first choice is grown: so many sites of a full dimension with few cells.
+bool grows(const BoundarySites& sites, std::size_t num_sites) {
+  constexpr std::size_t least_sites = 256;
+  constexpr int most_dimensions = 4;
+  return num_sites >= least_sites && sites.ambient >= 2 && sites.ambient <= most_dimensions &&
+         sites.dimension() == sites.ambient;
 }
 
 /// Whether no point that a flat grows by is within the tolerance of it, by the least height of their simplex.
@@ -179,7 +189,14 @@ void ExtremeSites::add_neighbors(std::size_t place, std::vector<char>& marks,
 
 VertexChoice choose_vertices(const BoundarySites& sites, const ExtremeSites& extreme, double tolerance,
                              const std::function<void()>& alive) {
-  const std::vector<char> necessary = find_necessary(sites, extreme, tolerance, alive);
+  std::vector<char> necessary(extreme.size(), 0);
+  constexpr std::size_t sample = 256;
+  const std::size_t step = extreme.size() / sample + 1;
+  find_necessary(sites, extreme, tolerance, step, necessary, alive);
+  const auto found = static_cast<std::size_t>(std::count(necessary.begin(), necessary.end(), 1));
+  // Where few of a sample are necessary, the others that are will be kept anyway, and cannot be dropped.
+  const bool is_grown = 2 * found * step < extreme.size() && grows(sites, extreme.size());
+  if (!is_grown) find_necessary(sites, extreme, tolerance, 1, necessary, alive);
   if (std::find(necessary.begin(), necessary.end(), 0) == necessary.end()) return {extreme.sites(), 0};
   Cover cover(
       points_of(sites, extreme), sites.ambient, tolerance,
@@ -187,8 +204,22 @@ VertexChoice choose_vertices(const BoundarySites& sites, const ExtremeSites& ext
         extreme.add_neighbors(p, marks, list);
       },
       alive);
+  std::vector<Index> required;
   for (std::size_t p = 0; p < necessary.size(); ++p)
-    if (necessary[p] != 0) cover.require(static_cast<Index>(p));
+    if (necessary[p] != 0) required.push_back(static_cast<Index>(p));
+  for (const Index p : required) cover.require(p);
+  if (is_grown) {
+    const std::vector<const double*> points = points_of(sites, extreme);
+    const GrownChoice grown = grow_choice(points, sites.ambient, tolerance, required, alive);
+    std::vector<char> is_kept(points.size(), 0);
+    for (const Index p : grown.kept) {
+      is_kept[p] = 1;
+      if (necessary[p] == 0) cover.keep(p);
+    }
+    const auto d = static_cast<std::size_t>(sites.ambient);
+    for (std::size_t p = 0; p < points.size() && !grown.corners.empty(); ++p)
+      if (is_kept[p] == 0) cover.approach(static_cast<Index>(p), std::span(grown.corners).subspan(p * d, d));
+  }
   cover.complete(std::vector<char>(extreme.size(), 1));
   cover.reduce();
   return choice_of(cover, extreme);

@@ -43,7 +43,8 @@ struct VertexChoice {
 };
 
 /// Chooses from the extreme sites. A site is *necessary* if its distance from the hull of the others exceeds
-/// the tolerance. Necessary sites are kept. Then, while a site is more than the tolerance outside of the hull
+/// the tolerance. Necessary sites are kept, and if few of a sample are and there are many sites in few
+/// dimensions, those of grown_choice.hpp. Then, while a site is more than the tolerance outside of the hull
 /// of those kept, the farthest one is kept, too (of several the lexicographically least; distances are
 /// compared in binary64). In the end those that are not necessary are dropped again, the last one first,
 /// whenever all sites stay within the tolerance. Whether a distance exceeds the tolerance is decided exactly.
@@ -63,7 +64,8 @@ struct VertexChoice {
 /// Cost: O(h·d) for h sites if a direction from the neighbors' mean proves them all to be necessary. A site
 /// that is not costs a search of the nearest point among neighbors, and, if these do not cover it, a few
 /// searches for the farthest kept point in a direction, each O(log h) on data that are not very degenerate,
-/// whenever its distance has fallen.
+/// whenever its distance has fallen. After a grown choice most sites are within the tolerance of a cell that
+/// is known, and need one search.
 VertexChoice choose_vertices(const BoundarySites& sites, const ExtremeSites& extreme, double tolerance,
                              const std::function<void()>& alive);
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -52,6 +53,12 @@ bool is_at_least(const double* q, const std::vector<double>& n, const double* w,
   return sum >= kernel::scaled_integer(x, grid) << -grid;
 }
 
+std::vector<Index> all_of(const Example& example) {
+  std::vector<Index> all(example.points.size());
+  std::iota(all.begin(), all.end(), Index{0});
+  return all;
+}
+
 void expect_answers(const Example& example, const SupportTree& tree, const std::vector<Index>& in,
                     std::mt19937_64& random) {
   std::normal_distribution<double> normal;
@@ -77,7 +84,7 @@ TEST(SupportTree, FindsTheFarthestOfThoseThatAreIn) {
   std::mt19937_64 random(3);
   for (const int d : {1, 2, 3, 4, 6}) {
     const Example example(on_sphere(d, 500, random), d);
-    SupportTree tree(example.points, d);
+    SupportTree tree(example.points, d, all_of(example));
     std::vector<Index> in;
     for (const std::size_t target : {1u, 9u, 200u, 450u, 60u, 3u}) {
       while (in.size() < target) {
@@ -104,7 +111,7 @@ TEST(SupportTree, OfLatticesAndOfCoincidentPoints) {
     for (int j = 0; j < 12; ++j) x.insert(x.end(), {1.0 * i, 1.0 * j, 0.0});
   x.insert(x.end(), x.begin(), x.end());
   const Example example(x, 3);
-  SupportTree tree(example.points, 3);
+  SupportTree tree(example.points, 3, all_of(example));
   for (Index p = 288; p-- > 1;) tree.insert(p);
   const std::vector<double> along{1, 0, 0}, across{0, 0, 1};
   EXPECT_EQ(tree.support(x.data(), along, {}).point, 132u);
@@ -117,7 +124,7 @@ TEST(SupportTree, IsUncertainWhereProductsOverflow) {
   std::vector<double> x;
   for (int i = 0; i < 40; ++i) x.insert(x.end(), {i % 2 == 0 ? 1e308 : -1e308, i * 1e306});
   const Example example(x, 2);
-  SupportTree tree(example.points, 2);
+  SupportTree tree(example.points, 2, all_of(example));
   for (Index p = 0; p < 40; ++p) tree.insert(p);
   EXPECT_FALSE(tree.support(x.data(), std::vector<double>{1e100, 1}, {}).certain > 0);
   EXPECT_FALSE(tree.support(x.data(), std::vector<double>{-1e100, 1}, {}).certain > 0);
