@@ -2,6 +2,7 @@
 // Compressed files, of blocks that are only stored, so that the tests need no compressor.
 #include "io/gzip.hpp"
 
+#include "io/crc32.hpp"
 #include "io/file.hpp"
 #include "io/zip.hpp"
 #include "io_support.hpp"
