@@ -398,9 +398,9 @@ class ConvexHull:
     def __init__(self, points: npt.ArrayLike, *, tolerance: npt.ArrayLike = 0.0, seed: int = 0, order: _Order = "automatic",
                  threads: int = 0, progress: _Progress = None,
                  memory_limit: Optional[float] = None, time_limit: Optional[float] = None) -> None: ...
-    @staticmethod
     def to_polyhedron(self, *, threads: int = 0, progress: _Progress = None, memory_limit: Optional[float] = None,
                       time_limit: Optional[float] = None) -> Polyhedron: ...
+    @staticmethod
     def of_extreme_points(points: npt.ArrayLike, *, tolerance: npt.ArrayLike = 0.0, seed: int = 0, order: _Order = "automatic",
                           threads: int = 0, progress: _Progress = None,
                           memory_limit: Optional[float] = None, time_limit: Optional[float] = None) -> Tuple["ConvexHull", npt.NDArray[np.int32]]: ...
