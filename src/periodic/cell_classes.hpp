@@ -57,7 +57,8 @@ class CellClasses {
     const auto of_v = ghosts_.offset_of(v);
     return {of_v.begin(), of_v.end()};
   }
-  /// The vertex in the box of which v is an image.
+  /// The vertex in the box of which v is an image; invalid_vertex if its point is hidden there. Cells with a
+  /// vertex in the box have no such vertex.
   VertexId own_vertex(VertexId v) const { return ghosts_.triangulation().vertex_at(ghosts_.image_of(v).row); }
 
  private:

@@ -112,23 +112,23 @@ PeriodicLocatedPoints PeriodicPointLocator::locate(std::span<const double> queri
 void PeriodicPointLocator::Impl::find_nearest(const WrappedQueries& queries, const NearestVisit& visit,
                                               unsigned threads) const {
   const PointLocator::Edges& edges = locator.edges();
+  const auto vertices = parts.complex.finite_vertices();
+  const VertexId first = *std::ranges::find_if(vertices, [&](VertexId v) { return parts.ghosts.is_own(v); });
   const auto make = [&]() -> PointLocator::Visit {
     const auto search = std::make_shared<NearestImage>(parts, edges);
-    return [&, search, start = invalid_vertex](std::size_t query, const LocatedPoint& located) mutable {
+    return [&, search, start = first](std::size_t query, const LocatedPoint& located) mutable {
       const double* const q = queries.points.data() + query * parts.dimension;
       if (located.cell != invalid_cell) {
         double least = std::numeric_limits<double>::infinity();
         for (const VertexId v : parts.complex.vertices(located.cell)) {
-          if (v == infinite_vertex) continue;
+          if (v == infinite_vertex || parts.classes.own_vertex(v) == invalid_vertex) continue;
           const double power = queries::power(q, parts.point(v), parts.dimension,
                                               parts.set.weighted ? parts.point(v)[parts.dimension] : 0.0)
                                    .value;
-          if (start != invalid_vertex && !(power < least)) continue;
+          if (!(power < least)) continue;
           start = v;
           least = power;
         }
-      } else if (start == invalid_vertex) {
-        start = parts.complex.finite_vertices().front();
       }
       search->find(q, queries.wraps.data() + query * parts.rank, start);
       visit(query, *search);

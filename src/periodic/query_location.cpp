@@ -110,7 +110,8 @@ bool PlaceFinder::find_translate(const double* q, CellId cell) {
   for (const VertexId v : parts_.complex.vertices(cell)) {
     if (v == infinite_vertex) continue;
     const VertexId own = parts_.classes.own_vertex(v);
-    if (is_at(q, parts_.classes.offset_of(v), parts_.complex.incident_cell(own))) return true;
+    if (own != invalid_vertex && is_at(q, parts_.classes.offset_of(v), parts_.complex.incident_cell(own)))
+      return true;
   }
   Offset k(parts_.rank);
   for (std::size_t i = 0; i < parts_.rank; ++i) k[i] = -parts_.set.period.reach(i);

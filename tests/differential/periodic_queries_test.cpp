@@ -83,6 +83,7 @@ struct Set {
   std::vector<double> points, weights;
   Lattice lattice;
   int reach;
+  std::vector<double> queries = {};  // more of them
 };
 
 std::vector<Set> sets() {
@@ -124,6 +125,19 @@ std::vector<Set> sets() {
     for (double& w : weighted.weights) w *= range;
     all.push_back(weighted);
   }
+  // Images of hidden points are vertices of cells that have no vertex in the box.
+  all.push_back({"a hidden point",
+                 {0, 1, 1, 0, .875, 0},
+                 {0, 1},
+                 {3, {1, -.5, 1, 0, -.5, -1.5, -2, -.5, .5}},
+                 7,
+                 {-1.25, 1.5, 1.375}});
+  all.push_back({"a hidden point among three",
+                 {.25, .625, .625, .375, .375, .875, 1, .125, .625},
+                 {4, 1, 2},
+                 {3, {-1.5, 2, 2, 1.5, -.5, .5, 1, 1, -.5}},
+                 7,
+                 {-1.875, -1.75, .625}});
   // Two lines of points in a plane that is not periodic along a third direction.
   all.push_back({"flat", {0, 0, 0, .5, .25, 0, .25, .5, 0}, {}, {3, {1, 0, 0, 0, 1, 0}}, 3});
   return all;
@@ -149,6 +163,7 @@ std::vector<double> queries_for(const Set& set) {
   }
   for (std::size_t row = 1; row < set.points.size() / d; ++row)
     for (std::size_t j = 0; j < d; ++j) queries.push_back((set.points[j] + set.points[row * d + j]) / 2);
+  queries.insert(queries.end(), set.queries.begin(), set.queries.end());
   return queries;
 }
 
