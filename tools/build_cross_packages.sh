@@ -37,10 +37,12 @@ fi
 build() {  # name, source folder, options of CMake
   local name=$1 source=$2
   shift 2
-  cmake -S "$source" -B "$packages/build/$name" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=OFF \
-    -DCMAKE_TOOLCHAIN_FILE="$repository/cmake/toolchains/$kind.cmake" -DCMAKE_INSTALL_PREFIX="$installed" "$@" >/dev/null
-  cmake --build "$packages/build/$name" -j "$jobs" >/dev/null
-  cmake --install "$packages/build/$name" >/dev/null
+  {
+    cmake -S "$source" -B "$packages/build/$name" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=OFF \
+      -DCMAKE_TOOLCHAIN_FILE="$repository/cmake/toolchains/$kind.cmake" -DCMAKE_INSTALL_PREFIX="$installed" "$@" &&
+      cmake --build "$packages/build/$name" -j "$jobs" &&
+      cmake --install "$packages/build/$name"
+  } >"$packages/$name.log" || { cat "$packages/$name.log"; exit 1; }
 }
 build highway "$(echo highway-*/)" -DBUILD_TESTING=OFF -DHWY_ENABLE_TESTS=OFF -DHWY_ENABLE_EXAMPLES=OFF -DHWY_ENABLE_CONTRIB=OFF
 build fmt "$(echo fmtlib-*/)" -DFMT_TEST=OFF -DFMT_DOC=OFF

@@ -189,7 +189,7 @@ def ball_halfspaces(center, radius, count=200) -> np.ndarray:
     Raises
     ------
     ValueError
-        If the center has not 2 or 3 numbers, the radius is not positive and finite, or there are fewer than 2 d.
+        If the center has not 2 or 3 finite numbers, the radius is not positive and finite, or there are fewer than 2 d.
 
     See Also
     --------
@@ -207,6 +207,7 @@ def ball_halfspaces(center, radius, count=200) -> np.ndarray:
     center = _core._doubles(center, "center")
     if center.shape not in ((2,), (3,)):
         raise ValueError(f"center: an array of shape {center.shape}, not (2,) or (3,)")
+    _require_finite(center, "center")
     _require_round(radius, count, 2 * len(center))
     if len(center) == 2:
         normals = _directions(count)
@@ -257,15 +258,22 @@ def cylinder_halfspaces(start, end, radius, count=60) -> np.ndarray:
     for name, point in (("start", start), ("end", end)):
         if point.shape != (3,):
             raise ValueError(f"{name}: an array of shape {point.shape}, not (3,)")
-    length = np.linalg.norm(end - start)
-    if not (np.isfinite(length) and length > 0):
+        _require_finite(point, name)
+    axis = end / 2 - start / 2
+    if not axis.any():
         raise ValueError("start and end: two different points")
     _require_round(radius, count, 3)
-    axis = (end - start) / length
+    axis /= np.abs(axis).max()
+    axis /= np.linalg.norm(axis)
     first = np.cross(axis, np.eye(3)[np.abs(axis).argmin()])
     first /= np.linalg.norm(first)
     sides = _tangents(_directions(count) @ np.stack([first, np.cross(axis, first)]), start, radius)
     return np.concatenate([sides, [np.append(0 - axis, axis @ start), np.append(axis, 0 - axis @ end)]])
+
+
+def _require_finite(point, name):
+    if not np.isfinite(point).all():
+        raise ValueError(f"{name}: finite numbers, not {point.tolist()}")
 
 
 def _require_round(radius, count, least):

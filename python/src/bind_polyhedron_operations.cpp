@@ -134,6 +134,8 @@ auto with_another() {
 /// Axes as numbers, or as flags of all of them. Bool is a kind of int, so that a list may be both.
 std::vector<int> as_axes(const py::object& given, int dimension) {
   const bool is_array = py::isinstance<py::array>(given);
+  if (!py::isinstance<py::iterable>(given) || (is_array && given.attr("ndim").cast<int>() != 1))
+    throw py::type_error("axes: a list of integers, or of a flag for each coordinate, not " + shown(given));
   const auto is_flag = [&](const py::handle& x) {
     return is_array ? given.attr("dtype").attr("kind").cast<std::string>() == "b"
                     : py::isinstance<py::bool_>(x);

@@ -200,7 +200,7 @@ inline constexpr const char* row_kinds = R"(
 The kind of each row that the polyhedron was made of, (m,) uint8.
 
 0: essential, the first row of a facet, vertex or ray; 1: a duplicate of an earlier one; 2: implicit, an inequality that holds with
-equality everywhere, or a ray whose opposite is a direction, too; 3: redundant. Of inequalities, or of vertices and then rays; empty
+equality everywhere, or a ray whose opposite is a direction, too; 3: redundant, also a row of zeros that always holds. Of inequalities, or of vertices and then rays; empty
 for the results of operations.)";
 
 inline constexpr const char* redundant_rows = R"(

@@ -172,7 +172,7 @@ def test_bad_shapes_are_named(message):
 
 @pytest.mark.parametrize("call, message", [
     (lambda: Polyhedron("A", B), "A: an array, not a str"), (lambda: SQUARE.intersection(3), "other: "), (lambda: SQUARE.projection(["x"]), "axes: "),
-    (lambda: SQUARE.projection([True, 0]), "axes: integers or flags, not both"), (lambda: SQUARE.projection(3), "not iterable"),
+    (lambda: SQUARE.projection([True, 0]), "axes: integers or flags, not both"), (lambda: SQUARE.projection(3), "axes: a list of integers"), (lambda: SQUARE.projection(np.ones((1, 2), bool)), "axes: a list of integers"),
     (lambda: Polyhedron(A, B, progress=3), "progress: True, a function of the fraction done, or None, not int"),
     (lambda: Polyhedron(A, B, memory_limit="all"), "memory_limit: a number of bytes, or None, not str"),
     (lambda: SQUARE.facets_of_vertex("a"), "vertex: "), (lambda: SQUARE.save(3), ""), (lambda: SQUARE < SQUARE, "'<' not supported")])

@@ -111,7 +111,10 @@ def test_round_containers():
         assert volume < inside < 1.03 * volume
     disc = delone.ball_halfspaces([3, 4], 2, count=100)
     np.testing.assert_allclose((disc[:, :2] @ [3, 4] + disc[:, 2]), -2)
-    for call in (lambda: delone.ball_halfspaces([0, 0, 0], 0), lambda: delone.ball_halfspaces([0], 1), lambda: delone.ball_halfspaces([0, 0], 1, count=3),
+    for length in (1e-200, 1e200, 1.7e308):
+        ends = delone.cylinder_halfspaces([0, 0, -length], [0, 0, length], length)[-2:]
+        assert ends.tolist() == [[0, 0, -1, -length], [0, 0, 1, -length]]
+    for call in (lambda: delone.ball_halfspaces([0, 0, 0], 0), lambda: delone.ball_halfspaces([0], 1), lambda: delone.ball_halfspaces([np.nan, 0], 1), lambda: delone.ball_halfspaces([0, 0], 1, count=3),
                  lambda: delone.cylinder_halfspaces([0, 0, 0], [0, 0, 0], 1), lambda: delone.cylinder_halfspaces([0, 0], [0, 1], 1),
                  lambda: delone.cylinder_halfspaces([0, 0, 0], [0, 0, 1], np.nan)):
         with pytest.raises(ValueError):
