@@ -23,7 +23,7 @@ QUICK = {
     "delone.Changes": "__init__ __repr__",
     "delone.ClippedRegions": "__getitem__ __init__ __iter__ __len__ __repr__",
     "delone.Delaunay": "__getstate__",
-    "delone.SiteCells": "__init__ __len__ __repr__ neighbors_of",
+    "delone.SiteCells": "__init__ __len__ __repr__ neighbors_of polygons_of",
     "delone.FurthestSite": "__copy__ __getstate__ clone hidden num_hidden",
     "delone.Regular": "__copy__ __getstate__ clone hidden num_hidden weights",
     "delone.HalfspaceIntersection": "__getstate__ columns dimension halfspaces num_halfspaces plot rank state statistics to_meshio to_pyvista "

@@ -46,6 +46,38 @@ def test_ties_have_proper_faces():
     assert t.site_cells().num_faces[13] > 6
 
 
+def test_polygons():
+    points = np.random.default_rng(5).random((200, 3))
+    cells = delone.Delaunay(points).site_cells(vertices=True)
+    assert cells.vertices.shape == (cells.vertex_offsets[-1], 3) and len(cells.face_vertices) == cells.face_vertex_offsets[-1] == cells.num_edges.sum()
+    for row in range(200):
+        vertices, faces = cells.polygons_of(row)
+        assert len(faces) == cells.num_faces[row] and (min(map(min, faces)) == -1) == np.isinf(cells.volumes[row])
+        if np.isfinite(cells.volumes[row]) and cells.volumes[row] < 1:
+            triangles = vertices[[(f[0], a, b) for f in faces for a, b in zip(f[1:], f[2:])]] - points[row]
+            assert abs(np.linalg.det(triangles).sum() / 6 - cells.volumes[row]) < 1e-9
+    with pytest.raises(ValueError):
+        cells.vertices[0] = 1
+    with pytest.raises(IndexError):
+        cells.polygons_of(200)
+    with pytest.raises(ValueError, match="vertices=True"):
+        delone.Delaunay(points).site_cells(neighbors=True).polygons_of(0)
+    with pytest.raises(delone.Error, match="box"):
+        delone.Delaunay(points).site_cells(vertices=True, box=([0] * 3, [1] * 3))
+
+
+def test_polygons_of_a_periodic_set_are_those_among_copies():
+    vectors = np.array([[1, 0, 0], [0.25, 1, 0], [-0.375, 0.3125, 1]])
+    points = np.random.default_rng(7).integers(0, 2**20, (30, 3)) / 2**20 @ vectors
+    steps = np.stack(np.meshgrid(*3 * [[0, -2, -1, 1, 2]], indexing="ij"), axis=-1).reshape(-1, 3)
+    found = delone.PeriodicDelaunay(points, vectors).site_cells(vertices=True)
+    expected = delone.Delaunay((points + (steps @ vectors)[:, None]).reshape(-1, 3)).site_cells(vertices=True)
+    for row in range(30):
+        of_copy = expected.polygons_of(row)[0]
+        np.testing.assert_allclose(found.polygons_of(row)[0], of_copy, rtol=0, atol=1e-11)
+        assert sorted(map(len, found.polygons_of(row)[1])) == sorted(map(len, expected.polygons_of(row)[1]))
+
+
 def test_threads_and_edits_do_not_matter():
     points = np.random.default_rng(4).random((5000, 3))
     one, two = delone.Delaunay(points, threads=1), delone.Delaunay(points[:4000], threads=2)
