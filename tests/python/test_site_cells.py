@@ -5,6 +5,8 @@ import pytest
 
 import delone
 
+FCC = np.array([[0, 0, 0], [0, 2, 2], [2, 0, 2], [2, 2, 0]])
+
 
 def test_arrays_agree_with_the_diagram():
     points = np.random.default_rng(1).random((300, 3))
@@ -76,6 +78,54 @@ def test_polygons_of_a_periodic_set_are_those_among_copies():
         of_copy = expected.polygons_of(row)[0]
         np.testing.assert_allclose(found.polygons_of(row)[0], of_copy, rtol=0, atol=1e-11)
         assert sorted(map(len, found.polygons_of(row)[1])) == sorted(map(len, expected.polygons_of(row)[1]))
+
+
+@pytest.mark.parametrize("basis, numbers, angles", [
+    ([[0, 0, 0]], [6, 6], [4 * np.pi / 6]), ([[0, 0, 0], [2, 2, 2]], [14, 8], [0.445364, 1.236773]), (FCC, [12, 12], [4 * np.pi / 12]),
+    (np.r_[FCC, FCC + 1], [16, 4], [0.124174, 2.769072])])
+def test_coordination_of_crystals(basis, numbers, angles):
+    t = delone.PeriodicDelaunay(np.array(basis) / 4, 1.0)
+    for weight in "solid_angle", "area":
+        for tolerance, expected in zip((0, 0.5), numbers):
+            assert (delone.coordination(t, weight=weight, tolerance=tolerance)[0] == expected).all()
+    np.testing.assert_allclose(np.unique(delone.coordination(t)[1].round(9)), angles, atol=1e-6)
+
+
+def test_solid_angles_are_shares_of_all_directions():
+    random = np.random.default_rng(8)
+    t = delone.PeriodicDelaunay(random.random((100, 3)), 1.0)
+    numbers, weights, cells = delone.coordination(t)
+    np.testing.assert_allclose(np.add.reduceat(weights, cells.neighbor_offsets[:-1]), 4 * np.pi, rtol=1e-12)
+    assert (numbers == cells.num_faces).all()
+    # Seen from the middle of a cell, a face takes the directions along which its plane is met first.
+    first = slice(*cells.neighbor_offsets[:2])
+    to = t.points[cells.neighbors[first]] + cells.neighbor_lattice[first] - t.points[0]
+    rays = random.standard_normal((200_000, 3))
+    met = np.bincount(np.argmax(rays @ to.T / (to**2).sum(axis=1), axis=1), minlength=len(to)) / len(rays)
+    np.testing.assert_allclose(weights[first] / (4 * np.pi), met, atol=0.005)
+    np.testing.assert_array_equal(delone.coordination(t, weight="area")[1], cells.face_areas)
+    # Sites of light weight may be outside of their cells, which then are seen from both sides.
+    power = delone.PeriodicRegular(t.points, random.random(100) * 0.03, 1.0)
+    _, weights, cells = delone.coordination(power)
+    rows = np.repeat(np.arange(100), np.diff(cells.neighbor_offsets))
+    turns = np.bincount(rows, weights, 100)[cells.num_faces > 0] / (4 * np.pi)
+    np.testing.assert_allclose(turns, turns.round(), atol=1e-9)
+    assert set(turns.round()) == {0, 1}
+
+
+def test_coordination_of_open_sets():
+    points = np.random.default_rng(9).random((300, 3))
+    t = delone.Regular(np.r_[points, points[:1]], np.zeros(301))
+    numbers, weights, cells = delone.coordination(t, tolerance=0.1)
+    unbounded = np.isinf(cells.volumes)
+    assert ((numbers == -1) == unbounded).all() and numbers[300] == 0 and unbounded.any() and not unbounded.all()
+    assert (np.isnan(weights) == np.repeat(unbounded, cells.num_faces)).all()
+    assert delone.coordination(delone.Delaunay(np.eye(4)[:, :3]))[0].tolist() == [-1] * 4
+    for arguments in {"weight": "volume"}, {"tolerance": 1}, {"tolerance": -0.1}, {"tolerance": np.nan}:
+        with pytest.raises(ValueError):
+            delone.coordination(t, **arguments)
+    with pytest.raises(ValueError, match="three dimensions"):
+        delone.coordination(delone.Delaunay(points[:, :2]))
 
 
 def test_threads_and_edits_do_not_matter():
