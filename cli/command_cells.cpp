@@ -28,7 +28,7 @@ struct CellsOptions {
   std::vector<double> box;  // low by axis, then high
   std::string halfspaces;   // a file, if not empty
   PeriodicInput periodic;
-  bool neighbors = false, proper = false;
+  bool neighbors = false, vertices = false, proper = false;
 };
 
 template <class T>
@@ -79,8 +79,10 @@ Summary summary(const T& t, const SiteCells& cells, const Cost& cost, const Cell
 /// Throws what the writing would throw in the end, before the work.
 void check_outputs(const CellsOptions& options) {
   if (options.build.output.empty()) return;
-  if (options.neighbors && chosen_format(options.build.output, options.build.output_format) == "csv")
-    throw UsageError("--neighbors: csv has a row for each cell and no neighbors; write npz");
+  const bool has_lists = options.neighbors || options.vertices;
+  if (has_lists && chosen_format(options.build.output, options.build.output_format) == "csv")
+    throw UsageError(fmt::format("--{}: csv has a row for each cell and no lists; write npz",
+                                 options.neighbors ? "neighbors" : "vertices"));
   check_output(
       options.build.output, options.build.output_format,
       [](const std::string& nowhere, const std::string& format) { write(nowhere, SiteCells{}, format); });
@@ -121,6 +123,7 @@ int run_with(Build build, const Container& container, Cost cost, Clock::time_poi
     return site_cells(triangulation,
                       {.faces = options.proper ? CellFaces::proper : CellFaces::triangulated,
                        .neighbors = options.neighbors,
+                       .vertices = options.vertices,
                        .box = container.box,
                        .halfspaces = container.halfspaces},
                       {.threads = options.build.threads});
@@ -203,6 +206,9 @@ Run add_cells(CLI::App& app) {
       ->type_name("FILE");
   app.add_flag("--neighbors", options->neighbors,
                "Also list neighbors, areas of faces and distances, in an output as npz");
+  app.add_flag("--vertices", options->vertices,
+               "Also list neighbors, the vertices of cells and, in order, of faces, in an output as npz")
+      ->excludes("--box");
   app.add_flag("--proper-faces", options->proper,
                "Count only faces with an area, decided exactly, where many points have one empty sphere");
   add_threads(app, options->build.threads);

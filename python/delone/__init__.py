@@ -27,13 +27,14 @@ from ._patch import patch_scipy, scipy_is_patched, unpatch_scipy
 from ._periodic_faces import PeriodicFaces
 from ._polyhedra import Optimum, PolyhedraVertices, polyhedra_vertices, read_polyhedron
 from ._shaped_cells import ball_halfspaces, cylinder_halfspaces, lloyd, prescribed_volumes
-from ._site_cells import SiteCells
+from ._site_cells import SiteCells, coordination
 
 __all__ = ["AlphaComplex", "CancelledError", "Changes", "CheckReport", "ClippedRegions", "ComplexData", "ConvexHull", "ConvexHulls", "Data", "Delaunay", "Error", "Faces",
            "Forecast", "FurthestSite", "FurthestVoronoi", "HalfspaceIntersection", "HullData", "InputError", "IntersectionData", "LinearInterpolator", "Locations",
            "LowerHull", "NaturalNeighborInterpolator", "Optimum", "OutOfMemoryError", "PeriodicDelaunay", "PeriodicFaces", "PeriodicLinearInterpolator",
            "PeriodicNaturalNeighborInterpolator", "PeriodicRegular", "PolyhedraVertices", "Polyhedron", "PowerDiagram", "Regular", "SiteCells", "TimeLimitError",
-           "TrimResult", "Voronoi", "VoronoiData", "__version__", "ball_halfspaces", "check", "convex_hulls", "cylinder_halfspaces", "estimate", "forecast", "generate", "lloyd", "lower_hull", "natural_neighbors",
+           "TrimResult", "Voronoi", "VoronoiData", "__version__", "ball_halfspaces", "check", "convex_hulls", "coordination", "cylinder_halfspaces", "estimate", "forecast",
+           "generate", "lloyd", "lower_hull", "natural_neighbors",
            "patch_scipy", "polyhedra_vertices", "prescribed_volumes", "read", "read_polyhedron", "scipy_is_patched", "unpatch_scipy", "write_points"]
 
 for _name in __all__:

@@ -252,9 +252,10 @@ py::array periodic_alpha_values(const HeldPeriodic& held, int dimension) {
                                  .values));
 }
 
-py::tuple periodic_site_cells(const HeldPeriodic& held, bool neighbors, bool proper) {
+py::tuple periodic_site_cells(const HeldPeriodic& held, bool neighbors, bool vertices, bool proper) {
   const SiteCellsOptions options{.faces = proper ? CellFaces::proper : CellFaces::triangulated,
-                                 .neighbors = neighbors};
+                                 .neighbors = neighbors,
+                                 .vertices = vertices};
   return as_tuple(held.ask(
       [&](const PeriodicTriangulation& t) { return site_cells(t, options, {.threads = held.threads()}); }));
 }
@@ -352,7 +353,7 @@ void define_members(Class& type) {
       .def("nearest", &periodic_nearest, "queries"_a, text(docs::periodic::nearest))
       .def("_faces", &periodic_faces, "dimension"_a)
       .def("alpha_values", &periodic_alpha_values, "dimension"_a, text(docs::periodic::alpha_values))
-      .def("_site_cells", &periodic_site_cells, "neighbors"_a, "proper"_a)
+      .def("_site_cells", &periodic_site_cells, "neighbors"_a, "vertices"_a, "proper"_a)
       .def("__len__",
            [](const HeldPeriodic& h) {
              return h.ask([](const PeriodicTriangulation& t) { return t.num_cells(); });

@@ -13,10 +13,11 @@ namespace {
 using namespace py::literals;
 using Held = HeldTriangulation;
 
-py::tuple site_cells_of(const Held& held, bool neighbors, bool proper, const py::object& box,
+py::tuple site_cells_of(const Held& held, bool neighbors, bool vertices, bool proper, const py::object& box,
                         const py::object& halfspaces) {
   SiteCellsOptions options{.faces = proper ? CellFaces::proper : CellFaces::triangulated,
-                           .neighbors = neighbors};
+                           .neighbors = neighbors,
+                           .vertices = vertices};
   options.box = as_box(box);
   if (!halfspaces.is_none()) {
     const auto rows = as_doubles(halfspaces, "halfspaces");
@@ -34,7 +35,7 @@ void bind_site_cells(py::module_&) {
   py::type triangulation = py::type::of<Held>();
   triangulation.attr("_site_cells") =
       py::cpp_function(&site_cells_of, py::name("_site_cells"), py::is_method(triangulation), "neighbors"_a,
-                       "proper"_a, "box"_a, "halfspaces"_a);
+                       "vertices"_a, "proper"_a, "box"_a, "halfspaces"_a);
 }
 
 }  // namespace delone::python

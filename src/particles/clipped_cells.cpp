@@ -2,9 +2,8 @@
 #include "particles/clipped_cells.hpp"
 
 #include "base/length.hpp"
-#include "base/parallel_parts.hpp"
 #include "kernel/determinant.hpp"
-#include "solve/cell_center.hpp"
+#include "particles/cell_centers.hpp"
 
 #include <delone/error.hpp>
 
@@ -65,36 +64,13 @@ std::vector<unsigned char> centers_inside(const Triangulation& triangulation,
                                           const sites::VertexPoints& points, const Container& container,
                                           unsigned threads) {
   const auto d = static_cast<std::size_t>(triangulation.dimension());
-  const Complex complex = triangulation.complex();
-  std::vector<unsigned char> inside(complex.num_cell_slots(), 0);
-  constexpr std::size_t block = solve::CenterFinder::block, part = 64 * block;
-  internal::work_in_parts(threads, inside.size(), part, [&] {
-    return [&, finder = solve::CenterFinder(triangulation.dimension(), triangulation.axes(), true),
-            cells = std::vector<std::size_t>(), of_block = std::vector<const double*>(),
-            weights = std::vector<double>(), centers = std::vector<double>(block * d)](
-               std::size_t first, std::size_t last, const internal::StopPoint& stop) mutable {
-      for (std::size_t c = first; c < last;) {
-        stop();
-        cells.clear();
-        of_block.clear();
-        weights.clear();
-        for (; c < last && cells.size() < block; ++c) {
-          const CellId cell{static_cast<Index>(c)};
-          if (!complex.is_cell(cell) || complex.is_infinite(cell)) continue;
-          cells.push_back(c);
-          for (const VertexId v : complex.vertices(cell)) {
-            of_block.push_back(points.point(index(v)));
-            if (points.weighted()) weights.push_back(points.point(index(v))[d]);
-          }
-        }
-        if (cells.empty()) continue;
-        finder.find_block(cells.size(), of_block.data(), points.weighted() ? weights.data() : nullptr,
-                          centers.data());
-        for (std::size_t i = 0; i < cells.size(); ++i)
-          inside[cells[i]] = is_inside(centers.data() + i * d, d, container) ? 1 : 0;
-      }
-    };
-  });
+  std::vector<unsigned char> inside(triangulation.complex().num_cell_slots(), 0);
+  for_each_center(
+      triangulation, points, [](CellId) { return true; },
+      [&](CellId cell, const double* center) {
+        inside[index(cell)] = is_inside(center, d, container) ? 1 : 0;
+      },
+      threads);
   return inside;
 }
 

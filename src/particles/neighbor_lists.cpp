@@ -4,10 +4,52 @@
 #include "base/parallel_parts.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace delone::particles {
+namespace {
 
-void join_lists(std::span<NeighborLists> parts, bool have_edges, unsigned threads, SiteCells& cells) {
+/// REQUIRES that neighbor_offsets are made.
+void join_vertices(std::span<const NeighborLists> parts, unsigned threads, SiteCells& cells) {
+  const auto d = static_cast<std::size_t>(cells.dimension);
+  std::vector<std::int64_t>&of_cells = cells.vertex_offsets, &of_faces = cells.face_vertex_offsets;
+  of_cells.assign(cells.num_rows() + 1, 0);
+  of_faces.assign(static_cast<std::size_t>(cells.neighbor_offsets.back()) + 1, 0);
+  for (const NeighborLists& lists : parts) {
+    const std::uint32_t* length = lists.face_lengths.data();
+    for (std::size_t i = 0; i < lists.rows.size(); ++i) {
+      of_cells[lists.rows[i] + 1] = lists.num_vertices[i];
+      std::copy_n(length, lists.lengths[i], of_faces.data() + cells.neighbor_offsets[lists.rows[i]] + 1);
+      length += lists.lengths[i];
+    }
+  }
+  std::partial_sum(of_cells.begin(), of_cells.end(), of_cells.begin());
+  std::partial_sum(of_faces.begin(), of_faces.end(), of_faces.begin());
+  cells.vertices.resize(static_cast<std::size_t>(of_cells.back()) * d);
+  cells.face_vertices.resize(static_cast<std::size_t>(of_faces.back()));
+  internal::for_parts(
+      threads, parts.size(), 1, [&](std::size_t part, std::size_t, const internal::StopPoint& stop) {
+        stop();
+        const NeighborLists& lists = parts[part];
+        const double* vertex = lists.vertices.data();
+        const SignedIndex* of_face = lists.face_vertices.data();
+        for (const Index row : lists.rows) {
+          const auto first = static_cast<std::size_t>(of_cells[row]),
+                     last = static_cast<std::size_t>(of_cells[row + 1]);
+          std::copy_n(vertex, (last - first) * d, cells.vertices.data() + first * d);
+          vertex += (last - first) * d;
+          const std::int64_t begin = of_faces[static_cast<std::size_t>(cells.neighbor_offsets[row])],
+                             end = of_faces[static_cast<std::size_t>(cells.neighbor_offsets[row + 1])];
+          std::copy_n(of_face, end - begin, cells.face_vertices.data() + begin);
+          of_face += end - begin;
+        }
+      });
+}
+
+}  // namespace
+
+void join_lists(std::span<NeighborLists> parts, bool have_edges, bool have_vertices, unsigned threads,
+                SiteCells& cells) {
   std::vector<std::int64_t>& offsets = cells.neighbor_offsets;
   offsets.assign(cells.num_rows() + 1, 0);
   for (const NeighborLists& lists : parts)
@@ -20,6 +62,7 @@ void join_lists(std::span<NeighborLists> parts, bool have_edges, unsigned thread
   cells.distances.resize(size);
   if (have_edges) cells.num_edges.resize(size);
   cells.neighbor_lattice.resize(size * rank);
+  if (have_vertices) join_vertices(parts, threads, cells);
   internal::for_parts(threads, parts.size(), 1,
                       [&](std::size_t part, std::size_t, const internal::StopPoint& stop) {
                         stop();

@@ -19,6 +19,11 @@ struct NeighborLists {
   std::vector<SignedIndex> neighbors, num_edges;
   std::vector<double> areas, distances;
   std::vector<std::int32_t> lattice;  ///< `rank` numbers for each neighbor
+  // If vertices are wanted.
+  std::vector<std::uint32_t> num_vertices;  ///< by site
+  std::vector<double> vertices;             ///< d coordinates each
+  std::vector<std::uint32_t> face_lengths;  ///< by neighbor
+  std::vector<SignedIndex> face_vertices;
 
   /// The list of the next site follows.
   void begin(std::size_t row, std::size_t length) {
@@ -29,6 +34,7 @@ struct NeighborLists {
 
 /// Puts the lists of all parts into the order of rows, and empties them. REQUIRES that the arrays by row are
 /// made.
-void join_lists(std::span<NeighborLists> parts, bool have_edges, unsigned threads, SiteCells& cells);
+void join_lists(std::span<NeighborLists> parts, bool have_edges, bool have_vertices, unsigned threads,
+                SiteCells& cells);
 
 }  // namespace delone::particles

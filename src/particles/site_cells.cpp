@@ -6,7 +6,9 @@
 #include "base/guarded.hpp"
 #include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
+#include "particles/cell_centers.hpp"
 #include "particles/clipped_cells.hpp"
+#include "particles/face_polygons.hpp"
 #include "particles/neighbor_lists.hpp"
 #include "particles/neighbor_order.hpp"
 #include "particles/pass/cell_measure.hpp"
@@ -57,7 +59,7 @@ class SiteCellsMaker {
       measure_lone_site();
     else if (k_ > 0)
       measure();
-    if (options_.neighbors) join_lists(lists_, dimension_of_cells() == 3, threads_, cells_);
+    if (has_lists()) join_lists(lists_, dimension_of_cells() == 3, options_.vertices, threads_, cells_);
     return std::move(cells_);
   }
 
@@ -67,11 +69,14 @@ class SiteCellsMaker {
     Worker(const SiteCellsMaker& maker, const Stars& stars)
         : star(stars), measure(maker.k_, maker.d_, maker.points_.weighted(), maker.unit_) {
       if (maker.classes_) faces.emplace(*maker.classes_);
+      if (maker.options_.vertices)
+        polygons.emplace(stars, maker.d_, maker.centers_, maker.classes_ ? &*maker.classes_ : nullptr);
       if (maker.container_) clipper.emplace(maker.points_, *maker.container_);
     }
     Star star;
     CellMeasure measure;
     std::optional<ProperFaces> faces;
+    std::optional<FacePolygons> polygons;
     std::optional<CellClipper> clipper;
     NeighborOrder neighbor_order;
     Order order;                              // of clipped faces
@@ -83,9 +88,12 @@ class SiteCellsMaker {
   void measure();
   void measure_site(Index v, Worker& worker, NeighborLists& lists);
   void list_neighbors(Worker& worker, NeighborLists& lists);
+  void find_centers(const Stars& stars);
+  void list_vertices(Index v, FacePolygons& polygons, NeighborLists& lists);
   void clip(Index v, std::span<const Index> neighbors, CellClipper& clipper, Order& order,
             NeighborLists& lists);
   bool is_inside(const Star& star) const;
+  bool has_lists() const { return options_.neighbors || options_.vertices; }
   bool are_proper() const { return options_.faces == CellFaces::proper; }
   /// The dimension of the cells: with a box that of the space.
   std::size_t dimension_of_cells() const { return container_ ? d_ : k_; }
@@ -114,6 +122,7 @@ class SiteCellsMaker {
   int unit_ = 0;
   std::optional<SphereClasses> classes_;  // if only proper faces count
   std::vector<unsigned char> inside_;     // by cell of the triangulation; empty: none is known to be
+  std::vector<double> centers_;           // by cell of the triangulation, if vertices are wanted
   std::vector<NeighborLists> lists_;      // by part
   SiteCells cells_;
 };
@@ -159,6 +168,7 @@ void SiteCellsMaker::measure() {
     const std::vector<int> axes = triangulation_.axes();
     classes_.emplace(stars, points_, kernel::Flat{points_.ambient, axes, points_.form}, threads_);
   }
+  if (options_.vertices) find_centers(stars);
   if (container_ && k_ == d_) inside_ = centers_inside(triangulation_, points_, *container_, threads_);
   lists_.resize((slots + vertices_in_part - 1) / vertices_in_part);
   internal::work_in_parts(threads_, slots, vertices_in_part, [&] {
@@ -172,6 +182,14 @@ void SiteCellsMaker::measure() {
       }
     };
   });
+}
+
+void SiteCellsMaker::find_centers(const Stars& stars) {
+  centers_.resize(complex_.num_cell_slots() * d_);
+  for_each_center(
+      triangulation_, points_, [&](CellId cell) { return stars.has(cell); },
+      [&](CellId cell, const double* center) { std::copy_n(center, d_, centers_.data() + index(cell) * d_); },
+      threads_);
 }
 
 /// Cells are convex, so one is inside if its vertices are.
@@ -212,9 +230,26 @@ void SiteCellsMaker::measure_site(Index v, Worker& worker, NeighborLists& lists)
   } else {
     cells_.volumes[row] = cells_.areas[row] = infinity;
   }
-  if (!options_.neighbors) return;
+  if (!has_lists()) return;
   lists.begin(row, num_faces);
+  if (worker.polygons) {
+    worker.polygons->find(v, star);
+    list_vertices(v, *worker.polygons, lists);
+  }
   list_neighbors(worker, lists);
+}
+
+/// In a periodic set around the point where it was given.
+void SiteCellsMaker::list_vertices(Index v, FacePolygons& polygons, NeighborLists& lists) {
+  lists.num_vertices.push_back(static_cast<std::uint32_t>(polygons.num_vertices()));
+  const double* const site = points_.point(v);
+  for (std::size_t i = 0; i < polygons.num_vertices(); ++i) {
+    const double* const x = polygons.vertex(i);
+    for (std::size_t j = 0; j < d_; ++j)
+      lists.vertices.push_back(periodic_ == nullptr
+                                   ? x[j]
+                                   : periodic_->given_point(row_of_vertex_[v])[j] + outer(x[j] - site[j], 1));
+  }
 }
 
 /// In the order of slots.
@@ -229,6 +264,11 @@ void SiteCellsMaker::list_neighbors(Worker& worker, NeighborLists& lists) {
     lists.neighbors.push_back(static_cast<SignedIndex>(row_of_vertex_[star.neighbors()[i]]));
     lists.areas.push_back(is_unbounded ? infinity : outer(measure.areas()[i], k_ - 1));
     lists.distances.push_back(outer(measure.distances()[i], 1));
+    if (worker.polygons) {
+      const std::span<const SignedIndex> face = worker.polygons->face(i);
+      lists.face_lengths.push_back(static_cast<std::uint32_t>(face.size()));
+      lists.face_vertices.insert(lists.face_vertices.end(), face.begin(), face.end());
+    }
     const auto of_neighbor = worker.neighbor_order.offsets(i, rank);
     lists.lattice.insert(lists.lattice.end(), of_neighbor.begin(), of_neighbor.end());
     if (k_ == 3)
@@ -254,7 +294,7 @@ void SiteCellsMaker::clip(Index v, std::span<const Index> neighbors, CellClipper
                        static_cast<std::uint32_t>(i));
   }
   cells_.areas[row] = surface;
-  if (!options_.neighbors) return;
+  if (!has_lists()) return;
   std::sort(order.begin(), order.end());
   lists.begin(row, order.size());
   for (const auto& [other, i] : order) {
@@ -284,6 +324,9 @@ SiteCells site_cells(const Triangulation& triangulation, const SiteCellsOptions&
   if (triangulation.kind() == TriangulationKind::furthest_site)
     throw Error(Errc::invalid_argument, "cells of sites are those of a Delaunay or regular triangulation");
   particles::require_supported(triangulation);
+  if (options.box && options.vertices)
+    throw Error(Errc::unsupported,
+                "vertices of cells are not available with a box; the clipped regions of a diagram have them");
   if (options.box)
     particles::check_container({*options.box, options.halfspaces}, triangulation.dimension());
   else

@@ -21,6 +21,19 @@ class Cells(Case):
             np.testing.assert_array_equal(arrays["neighbors"][first:last], [0, 1, 2, 3])
             self.assertEqual(arrays["centroids"].shape, (6, 2))
 
+    def test_vertices(self):
+        points = self.file("points.csv", "x,y\n0,0\n2,0\n0,2\n2,2\n1,1\n")
+        self.output("cells", points, "--vertices", "-o", self.path("cells.npz"))
+        with np.load(self.path("cells.npz")) as arrays:
+            self.assertEqual(set(arrays), {"volumes", "centroids", "areas", "num_faces", "neighbor_offsets", "neighbors", "face_areas", "distances",
+                                           "vertex_offsets", "vertices", "face_vertex_offsets", "face_vertices"})
+            first, last = arrays["vertex_offsets"][4:6]
+            np.testing.assert_array_equal(arrays["vertices"][first:last], [[0, 1], [1, 0], [1, 2], [2, 1]])
+            first, last = arrays["face_vertex_offsets"][arrays["neighbor_offsets"][4:6]]
+            np.testing.assert_array_equal(arrays["face_vertices"][first:last], [0, 1, 1, 3, 2, 0, 3, 2])
+        self.assertIn("--vertices: csv", self.complaint("cells", points, "--vertices", "-o", self.path("cells.csv"), status=64))
+        self.assertIn("--box", self.complaint("cells", points, "--vertices", "--box", "0,0,1,1", status=64))
+
     def test_box_weights_and_proper_faces(self):
         balls = self.file("balls.csv", "x,y,w\n0,0,0\n2,0,1\n")
         self.output("cells", balls, "--weights", "w", "--box", "-1,-1,3,1", "-o", self.path("cells.npz"))

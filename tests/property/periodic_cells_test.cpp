@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cells of the points of periodic sets against those of many copies of the points, and against what must hold
 // whatever stands for the set.
+#include "cell_polygons.hpp"
 #include "error_code.hpp"
 #include "periodic_sets.hpp"
 #include "same_bits.hpp"
@@ -210,6 +211,29 @@ TEST(PeriodicCells, OtherDimensions) {
       const auto points = at_fractions(random_fractions(n * static_cast<std::size_t>(d), 11), lattice);
       expect_cells_among_copies(points, {}, lattice);
       if (d < 4) expect_cells_among_copies(points, random_weights(n, 0.2), lattice);
+    }
+}
+
+/// Cells across the border are whole.
+TEST(PeriodicCells, PolygonsClose) {
+  for (const auto& [name, box] : test::lattices_in_space())
+    for (const int rank : {3, 2}) {
+      SCOPED_TRACE(testing::Message() << name << ", rank " << rank);
+      const Lattice lattice = test::of_rank(box, rank);
+      for (const auto& [set_name, fractions] : test::sets_in_space(8)) {
+        SCOPED_TRACE(set_name);
+        std::vector<double> points = at_fractions(fractions, box);
+        for (std::size_t i = 0; i < points.size(); ++i)  // outside of the box
+          points[i] += 2 * lattice.vectors[i % 3] * (i / 3 % 2 == 0 ? 1 : 0);
+        for (const auto& weights : {std::vector<double>{}, random_weights(points.size() / 3, 0.1)})
+          for (const CellFaces faces : {CellFaces::triangulated, CellFaces::proper}) {
+            const SiteCells cells =
+                periodic_cells(points, weights, lattice, {.faces = faces, .vertices = true});
+            if (cells.num_edges.empty()) continue;  // all in a plane
+            test::expect_closed(cells, 3);
+            test::expect_oriented(cells, points, lattice.vectors);
+          }
+      }
     }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cells of sites against the diagram of the same triangulation, and against what must hold for any cells.
+#include "cell_polygons.hpp"
 #include "error_code.hpp"
 #include "same_bits.hpp"
 
@@ -297,6 +298,94 @@ TEST(SiteCells, ProperFacesAreRidges) {
   }
 }
 
+/// Vertices to the last bit, and their order around a face up to where it starts and which way it goes.
+TEST(SiteCells, PolygonsAreRidges) {
+  for (const SiteSet& set : point_sets()) {
+    SCOPED_TRACE(set.name + " " + std::to_string(set.d));
+    const auto d = static_cast<std::size_t>(set.d);
+    const auto expect_ridges = [&](const Triangulation& t, const Diagram& diagram) {
+      const SiteCells cells = site_cells(t, {.faces = CellFaces::proper, .vertices = true});
+      using Polygon = std::vector<std::vector<double>>;  // an empty vertex is infinity
+      std::map<std::array<SignedIndex, 2>, Polygon> ridges;
+      const auto canonical = [&](Polygon polygon) {
+        if (t.affine_dimension() != 3) {
+          std::sort(polygon.begin(), polygon.end());
+          return polygon;
+        }
+        Polygon least;
+        for (int way = 0; way < 2; ++way, std::reverse(polygon.begin(), polygon.end()))
+          for (std::size_t i = 0; i < polygon.size(); ++i) {
+            std::rotate(polygon.begin(), polygon.begin() + 1, polygon.end());
+            if (least.empty() || polygon < least) least = polygon;
+          }
+        return least;
+      };
+      for (std::size_t i = 0; i < diagram.num_ridges(); ++i) {
+        Polygon polygon;
+        for (const SignedIndex v : diagram.ridge(i)) {
+          polygon.emplace_back();
+          if (v < 0) continue;
+          const auto x = diagram.vertex(static_cast<std::size_t>(v));
+          polygon.back().assign(x.begin(), x.end());
+        }
+        std::array<SignedIndex, 2> ends{diagram.ridge_points()[2 * i], diagram.ridge_points()[2 * i + 1]};
+        std::sort(ends.begin(), ends.end());
+        ridges[ends] = canonical(polygon);
+      }
+      for (std::size_t row = 0; row < cells.num_rows(); ++row)
+        for (auto i = static_cast<std::size_t>(cells.neighbor_offsets[row]);
+             i < static_cast<std::size_t>(cells.neighbor_offsets[row + 1]); ++i) {
+          Polygon polygon;
+          for (const SignedIndex v : test::polygon(cells, i)) {
+            polygon.emplace_back();
+            for (std::size_t j = 0; v >= 0 && j < d; ++j)
+              polygon.back().push_back(test::vertex_of(cells, row, v, j));
+          }
+          std::array<SignedIndex, 2> ends{static_cast<SignedIndex>(row), cells.neighbors[i]};
+          std::sort(ends.begin(), ends.end());
+          EXPECT_EQ(canonical(polygon), ridges[ends]) << ends[0] << ' ' << ends[1];
+        }
+    };
+    const Delaunay<> delaunay(set.points, set.d);
+    expect_ridges(delaunay, Voronoi<>(delaunay));
+    const Regular<> regular(set.points, weights_for(set.size(), 0.02), set.d);
+    expect_ridges(regular, PowerDiagram<>(regular));
+  }
+}
+
+TEST(SiteCells, PolygonsClose) {
+  for (const SiteSet& set : point_sets()) {
+    SCOPED_TRACE(set.name + " " + std::to_string(set.d));
+    const Delaunay<> delaunay(set.points, set.d);
+    const Regular<> regular(set.points, weights_for(set.size(), 0.02), set.d);
+    const std::vector<const Triangulation*> triangulations{&delaunay, &regular};
+    for (const Triangulation* t : triangulations)
+      for (const CellFaces faces : {CellFaces::triangulated, CellFaces::proper}) {
+        const int k = t->affine_dimension();
+        if (k != 2 && k != 3) continue;
+        const SiteCells cells = site_cells(*t, {.faces = faces, .vertices = true});
+        test::expect_closed(cells, k);
+        if (k == set.d) test::expect_oriented(cells, set.points);
+      }
+  }
+}
+
+TEST(SiteCells, FewPointsHaveFewVertices) {
+  const SiteCellsOptions options{.vertices = true};
+  const SiteCells none = site_cells(Delaunay<>(std::vector<double>{}, 3), options);
+  EXPECT_EQ(none.vertex_offsets, std::vector<std::int64_t>{0});
+  EXPECT_EQ(none.face_vertex_offsets, std::vector<std::int64_t>{0});
+  const SiteCells one = site_cells(Delaunay<>(std::vector<double>{1, 2, 3, 1, 2, 3}, 3), options);
+  EXPECT_EQ(one.vertex_offsets, (std::vector<std::int64_t>{0, 0, 0}));
+  const SiteCells two = site_cells(Delaunay<>(std::vector<double>{0, 0, 0, 2, 4, 6}, 3), options);
+  EXPECT_EQ(two.vertices, (std::vector<double>{1, 2, 3, 1, 2, 3}));
+  EXPECT_EQ(two.face_vertices, (std::vector<SignedIndex>{0, 0}));
+  EXPECT_EQ(test::code_of([&] {
+              site_cells(Delaunay<>(std::vector<double>{0, 1}, 1), {.vertices = true, .box = Box{{0}, {1}}});
+            }),
+            Errc::unsupported);
+}
+
 /// The faces of the cells of crystals, and their edges.
 TEST(SiteCells, CrystalsHaveTheirCells) {
   const auto faces_of_middle = [](const std::vector<std::array<int, 3>>& basis, bool clipped) {
@@ -332,7 +421,8 @@ TEST(SiteCells, DoNotDependOnThreads) {
         four(points, d, {.seed = 7, .order = InsertionOrder::shuffled, .threads = 4});
     for (const bool in_box : {false, true}) {
       SiteCellsOptions options{.faces = d < 4 ? CellFaces::proper : CellFaces::triangulated,
-                               .neighbors = true};
+                               .neighbors = true,
+                               .vertices = !in_box};
       if (in_box && d == 4) continue;
       if (in_box) options.box = Voronoi<>(one).bounding_box(0);
       const SiteCells expected = site_cells(one, options), found = site_cells(four, options, {.threads = 3});
@@ -343,6 +433,10 @@ TEST(SiteCells, DoNotDependOnThreads) {
       EXPECT_TRUE(test::are_same_bits(expected.distances, found.distances));
       EXPECT_EQ(expected.neighbors, found.neighbors);
       EXPECT_EQ(expected.num_faces, found.num_faces);
+      EXPECT_EQ(expected.vertex_offsets, found.vertex_offsets);
+      EXPECT_TRUE(test::are_same_bits(expected.vertices, found.vertices));
+      EXPECT_EQ(expected.face_vertex_offsets, found.face_vertex_offsets);
+      EXPECT_EQ(expected.face_vertices, found.face_vertices);
     }
   }
 }

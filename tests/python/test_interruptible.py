@@ -23,7 +23,7 @@ QUICK = {
     "delone.Changes": "__init__ __repr__",
     "delone.ClippedRegions": "__getitem__ __init__ __iter__ __len__ __repr__",
     "delone.Delaunay": "__getstate__",
-    "delone.SiteCells": "__init__ __len__ __repr__ neighbors_of",
+    "delone.SiteCells": "__init__ __len__ __repr__ neighbors_of polygons_of",
     "delone.FurthestSite": "__copy__ __getstate__ clone hidden num_hidden",
     "delone.Regular": "__copy__ __getstate__ clone hidden num_hidden weights",
     "delone.HalfspaceIntersection": "__getstate__ columns dimension halfspaces num_halfspaces plot rank state statistics to_meshio to_pyvista "
@@ -214,6 +214,7 @@ LONG = {
                                "file.write('begin\\n60 10 real\\n' + '\\n'.join(' '.join(map(repr, row)) for row in rows.tolist()) + '\\nend\\n'); file.close()",
                                "delone.read_polyhedron(path)"),
     "delone.polyhedra_vertices": ("b = np.ones((1_000_000, 8)); A = random.standard_normal((1_000_000, 8, 3))", "delone.polyhedra_vertices(A, b)"),
+    "delone.coordination": ("t = delone.PeriodicDelaunay(random.random((50_000, 3)), 1.0)", "for _ in range(20): delone.coordination(t)"),
     "delone.lloyd": ("points = random.random((100_000, 3))", "delone.lloyd(points, lattice=1.0, steps=30)"),
     "delone.prescribed_volumes": ("points = random.random((100_000, 3))", "delone.prescribed_volumes(points, lattice=1.0)"),
     "delone.FurthestVoronoi.__init__": ("t = delone.FurthestSite(sphere(1000, 6))", "delone.FurthestVoronoi(t)"),

@@ -5,6 +5,8 @@ import pytest
 
 import delone
 
+FCC = np.array([[0, 0, 0], [0, 2, 2], [2, 0, 2], [2, 2, 0]])
+
 
 def test_arrays_agree_with_the_diagram():
     points = np.random.default_rng(1).random((300, 3))
@@ -44,6 +46,86 @@ def test_ties_have_proper_faces():
     t = delone.Delaunay(np.stack(np.meshgrid(*3 * [np.arange(3.0)]), axis=-1).reshape(-1, 3))
     assert t.site_cells(faces="proper").num_faces[13] == 6
     assert t.site_cells().num_faces[13] > 6
+
+
+def test_polygons():
+    points = np.random.default_rng(5).random((200, 3))
+    cells = delone.Delaunay(points).site_cells(vertices=True)
+    assert cells.vertices.shape == (cells.vertex_offsets[-1], 3) and len(cells.face_vertices) == cells.face_vertex_offsets[-1] == cells.num_edges.sum()
+    for row in range(200):
+        vertices, faces = cells.polygons_of(row)
+        assert len(faces) == cells.num_faces[row] and (min(map(min, faces)) == -1) == np.isinf(cells.volumes[row])
+        if np.isfinite(cells.volumes[row]) and cells.volumes[row] < 1:
+            triangles = vertices[[(f[0], a, b) for f in faces for a, b in zip(f[1:], f[2:])]] - points[row]
+            assert abs(np.linalg.det(triangles).sum() / 6 - cells.volumes[row]) < 1e-9
+    with pytest.raises(ValueError):
+        cells.vertices[0] = 1
+    with pytest.raises(IndexError):
+        cells.polygons_of(200)
+    with pytest.raises(ValueError, match="vertices=True"):
+        delone.Delaunay(points).site_cells(neighbors=True).polygons_of(0)
+    with pytest.raises(delone.Error, match="box"):
+        delone.Delaunay(points).site_cells(vertices=True, box=([0] * 3, [1] * 3))
+
+
+def test_polygons_of_a_periodic_set_are_those_among_copies():
+    vectors = np.array([[1, 0, 0], [0.25, 1, 0], [-0.375, 0.3125, 1]])
+    points = np.random.default_rng(7).integers(0, 2**20, (30, 3)) / 2**20 @ vectors
+    steps = np.stack(np.meshgrid(*3 * [[0, -2, -1, 1, 2]], indexing="ij"), axis=-1).reshape(-1, 3)
+    found = delone.PeriodicDelaunay(points, vectors).site_cells(vertices=True)
+    expected = delone.Delaunay((points + (steps @ vectors)[:, None]).reshape(-1, 3)).site_cells(vertices=True)
+    for row in range(30):
+        of_copy = expected.polygons_of(row)[0]
+        np.testing.assert_allclose(found.polygons_of(row)[0], of_copy, rtol=0, atol=1e-11)
+        assert sorted(map(len, found.polygons_of(row)[1])) == sorted(map(len, expected.polygons_of(row)[1]))
+
+
+@pytest.mark.parametrize("basis, numbers, angles", [
+    ([[0, 0, 0]], [6, 6], [4 * np.pi / 6]), ([[0, 0, 0], [2, 2, 2]], [14, 8], [0.445364, 1.236773]), (FCC, [12, 12], [4 * np.pi / 12]),
+    (np.r_[FCC, FCC + 1], [16, 4], [0.124174, 2.769072])])
+def test_coordination_of_crystals(basis, numbers, angles):
+    t = delone.PeriodicDelaunay(np.array(basis) / 4, 1.0)
+    for weight in "solid_angle", "area":
+        for tolerance, expected in zip((0, 0.5), numbers):
+            assert (delone.coordination(t, weight=weight, tolerance=tolerance)[0] == expected).all()
+    np.testing.assert_allclose(np.unique(delone.coordination(t)[1].round(9)), angles, atol=1e-6)
+
+
+def test_solid_angles_are_shares_of_all_directions():
+    random = np.random.default_rng(8)
+    t = delone.PeriodicDelaunay(random.random((100, 3)), 1.0)
+    numbers, weights, cells = delone.coordination(t)
+    np.testing.assert_allclose(np.add.reduceat(weights, cells.neighbor_offsets[:-1]), 4 * np.pi, rtol=1e-12)
+    assert (numbers == cells.num_faces).all()
+    # Seen from the middle of a cell, a face takes the directions along which its plane is met first.
+    first = slice(*cells.neighbor_offsets[:2])
+    to = t.points[cells.neighbors[first]] + cells.neighbor_lattice[first] - t.points[0]
+    rays = random.standard_normal((200_000, 3))
+    met = np.bincount(np.argmax(rays @ to.T / (to**2).sum(axis=1), axis=1), minlength=len(to)) / len(rays)
+    np.testing.assert_allclose(weights[first] / (4 * np.pi), met, atol=0.005)
+    np.testing.assert_array_equal(delone.coordination(t, weight="area")[1], cells.face_areas)
+    # Sites of light weight may be outside of their cells, which then are seen from both sides.
+    power = delone.PeriodicRegular(t.points, random.random(100) * 0.03, 1.0)
+    _, weights, cells = delone.coordination(power)
+    rows = np.repeat(np.arange(100), np.diff(cells.neighbor_offsets))
+    turns = np.bincount(rows, weights, 100)[cells.num_faces > 0] / (4 * np.pi)
+    np.testing.assert_allclose(turns, turns.round(), atol=1e-9)
+    assert set(turns.round()) == {0, 1}
+
+
+def test_coordination_of_open_sets():
+    points = np.random.default_rng(9).random((300, 3))
+    t = delone.Regular(np.r_[points, points[:1]], np.zeros(301))
+    numbers, weights, cells = delone.coordination(t, tolerance=0.1)
+    unbounded = np.isinf(cells.volumes)
+    assert ((numbers == -1) == unbounded).all() and numbers[300] == 0 and unbounded.any() and not unbounded.all()
+    assert (np.isnan(weights) == np.repeat(unbounded, cells.num_faces)).all()
+    assert delone.coordination(delone.Delaunay(np.eye(4)[:, :3]))[0].tolist() == [-1] * 4
+    for arguments in {"weight": "volume"}, {"tolerance": 1}, {"tolerance": -0.1}, {"tolerance": np.nan}:
+        with pytest.raises(ValueError):
+            delone.coordination(t, **arguments)
+    with pytest.raises(ValueError, match="three dimensions"):
+        delone.coordination(delone.Delaunay(points[:, :2]))
 
 
 def test_threads_and_edits_do_not_matter():

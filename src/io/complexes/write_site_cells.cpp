@@ -57,6 +57,12 @@ void write_arrays_of_cells(AtomicFile& file, const SiteCells& cells) {
     if (cells.rank > 0)
       write_array("neighbor_lattice", cells.neighbor_lattice, static_cast<std::size_t>(cells.rank));
   }
+  if (!cells.vertex_offsets.empty()) {
+    write_array("vertex_offsets", cells.vertex_offsets);
+    write_array("vertices", cells.vertices, static_cast<std::size_t>(cells.dimension));
+    write_array("face_vertex_offsets", cells.face_vertex_offsets);
+    write_array("face_vertices", cells.face_vertices);
+  }
   write_array.finish();
 }
 
