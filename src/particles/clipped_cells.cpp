@@ -98,11 +98,11 @@ void CellClipper::clip(Index v, std::span<const Index> neighbors, bool proper) {
     for (const auto& facet : measures_.facets) add(facet.label, facet.volume, facet.num_corners);
     return;
   }
-  const auto proper_ones = clipper_.proper_facets();
-  auto facet = measures_.facets.begin();
-  for (const auto& [plane, num_corners] : proper_ones) {  // both by plane
-    while (facet->label != plane) ++facet;
-    add(plane, facet->volume, num_corners);
+  for (const auto& [plane, num_corners] : clipper_.proper_facets()) {
+    const auto facet = std::find_if(measures_.facets.begin(), measures_.facets.end(),
+                                    [plane = plane](const auto& one) { return one.label == plane; });
+    // Measures lack a facet whose corners are one point after rounding.
+    add(plane, facet == measures_.facets.end() ? 0 : facet->volume, num_corners);
   }
 }
 

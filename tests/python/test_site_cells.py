@@ -48,6 +48,18 @@ def test_ties_have_proper_faces():
     assert t.site_cells().num_faces[13] > 6
 
 
+@pytest.mark.parametrize("points, box, halfspaces, volumes", [
+    ([[0.0], [2.0]], ([-2], [4]), [[1, -1]], [3, 0]),
+    ([[1.0, 0.0]], ([-1, -1], [3, 3]), [[-1, 0.5, 0.5000000000000001], [0.8, 0, -1e-16]], [0]),
+    ([[0, 1, 1], [0, 2, 0]], ([-1, -1, 0.5], [3, 3, 0.500000000001]), [[0.5, 0.5, 1e-16, -0.25000000000000006]], [3.125e-12, 0]),
+    ([[0, 2], [1 + 2**-52, 2 + 2**-51], [2, 1 + 2**-52], [1, 2], [0, 1 + 2**-52]], ([-1, 0], [3, 1]), None, [0, 0, 2, 0, 2]),
+])
+def test_proper_faces_too_small_for_doubles(points, box, halfspaces, volumes):
+    cells = delone.Delaunay(points).site_cells(box=box, halfspaces=halfspaces, faces="proper", neighbors=True)
+    np.testing.assert_allclose(cells.volumes, volumes, rtol=1e-4, atol=1e-15)
+    assert len(cells.face_areas) == cells.num_faces.sum()
+
+
 def test_polygons():
     points = np.random.default_rng(5).random((200, 3))
     cells = delone.Delaunay(points).site_cells(vertices=True)
