@@ -3,6 +3,7 @@
 
 #include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
+#include "base/quick_rounds.hpp"
 #include "polyhedra/double_description.hpp"
 
 #include <algorithm>
@@ -76,9 +77,13 @@ DistinctRows distinct_rows(const Rows& input, const Solutions& solutions) {
   result.number_of.assign(input.size(), DistinctRows::zero);
   for (std::size_t i = 0; i < input.size(); ++i)
     if (!is_zero(reduced[i])) order.push_back(i);
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return is_taken_before(reduced[a], reduced[b]); });
+  internal::QuickRounds round;
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    round();
+    return is_taken_before(reduced[a], reduced[b]);
+  });
   for (const std::size_t i : order) {
+    round();
     if (result.rows.empty() || result.rows.back() != reduced[i]) result.rows.push_back(reduced[i]);
     result.number_of[i] = result.rows.size() - 1;
   }
@@ -121,8 +126,11 @@ RowOrder order_rows(const Rows& rows, std::size_t dimension) {
   RowOrder order;
   std::vector<std::size_t> others;
   Echelon echelon(dimension);
-  for (std::size_t i = 0; i < rows.size(); ++i)
+  internal::QuickRounds round;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    round();
     (echelon.rank() < dimension && echelon.add(rows[i]) ? order.rows : others).push_back(i);
+  }
   order.rows.insert(order.rows.end(), others.begin(), others.end());
   order.axes = echelon.pivots();
   std::sort(order.axes.begin(), order.axes.end());
@@ -147,6 +155,7 @@ ConeRays find_rays(const Rows& input, const Rows& equations, std::size_t dimensi
   PointedCone cone;
   std::vector<std::size_t> position(distinct.rows.size());
   for (const std::size_t i : order.rows) {
+    internal::cancellation_point();
     position[i] = cone.rows.size();
     Row row;
     for (const std::size_t axis : order.axes) row.push_back(distinct.rows[i][axis]);

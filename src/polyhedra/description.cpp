@@ -92,6 +92,7 @@ Description from_inequalities(Rows inequalities, const Rows& equations, std::siz
   std::vector<std::size_t> facet_of_row(m, m);
   if (kinds != nullptr) kinds->resize(m);
   for (std::size_t i = 0; i < m; ++i) {
+    internal::cancellation_point();
     // Points at infinity alone are no facet.
     bool has_vertex = false;
     for_each(columns[i], [&](std::size_t ray) { has_vertex = has_vertex || is_vertex(cone.rays[ray]); });
