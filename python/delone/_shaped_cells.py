@@ -189,7 +189,7 @@ def ball_halfspaces(center, radius, count=200) -> np.ndarray:
     Raises
     ------
     ValueError
-        If the center does not have 2 or 3 numbers, the radius is not positive and finite, or `count` is less than 2 d.
+        If the center has not 2 or 3 finite numbers, the radius is not positive and finite, or there are fewer than 2 d.
 
     See Also
     --------
