@@ -22,7 +22,7 @@ struct Described {
   PolyhedronRows rows;
 };
 
-/// What a comparison has found: a violation, the hash of both, or neither.
+/// What a comparison finds: a violation, the common hash, or neither.
 struct Found {
   std::optional<std::string> violation;
   std::optional<CanonicalHash> hash;
@@ -62,7 +62,7 @@ std::string in_words(std::span<const Rational> x) {
   return text.empty() ? "()" : text + ")";
 }
 
-/// What `part` has that `whole` does not.
+/// Looks for something that `part` has and `whole` does not.
 std::optional<std::string> excess(const Polyhedron& part, const std::string& name, const Polyhedron& whole,
                                   const std::string& name_of_whole) {
   if (whole.includes(part)) return std::nullopt;
@@ -74,7 +74,7 @@ std::optional<std::string> excess(const Polyhedron& part, const std::string& nam
   return fmt::format("{} has a ray or a line that {} does not have", name, name_of_whole);
 }
 
-/// By converting both.
+/// Compares by converting both.
 Found compare(const Described& a, const Described& b, unsigned threads) {
   const Polyhedron p = convert(a, threads), q = convert(b, threads);
   Found found{excess(p, a.name, q, b.name), p.hash()};
@@ -82,10 +82,10 @@ Found compare(const Described& a, const Described& b, unsigned threads) {
   return found;
 }
 
-/// By converting generators. Their polyhedron P lies in that of the inequalities, Q, if the largest value of
-/// each row on P says so. If the equations of Q are as many as those of P, Q lies in the affine hull of P. If
-/// also some inequality of Q holds with equality on each facet of P and nowhere else, it is that of the facet
-/// up to equations, so Q lies in P.
+/// Compares by converting the generators. Their polyhedron P lies in that of the inequalities, Q, if the
+/// largest value of each row on P says so. If the equations of Q are as many as those of P, Q lies in the
+/// affine hull of P. If also some inequality of Q holds with equality on each facet of P and nowhere else, it
+/// is that of the facet up to equations, so Q lies in P.
 Found compare_inequalities(const Polyhedron& p, const std::string& name, const Described& of) {
   if (p.is_empty()) return {};
   using Face = std::pair<std::vector<std::size_t>, std::vector<std::size_t>>;
@@ -112,7 +112,8 @@ Found compare_inequalities(const Polyhedron& p, const std::string& name, const D
   return {{}, are_all_there ? std::optional(p.hash()) : std::nullopt};
 }
 
-/// By converting inequalities to a polytope: all points must be in it, and its vertices among them.
+/// Compares by converting the inequalities to a polytope: it must contain all points, and each of its
+/// vertices must be one of them.
 Found compare_points(const Polyhedron& p, const std::string& name, const Described& of) {
   if (!p.is_bounded() || !of.rows.rays.empty() || !of.rows.lines.empty()) return {};
   std::set<std::vector<Rational>> points;

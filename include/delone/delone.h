@@ -118,8 +118,8 @@ DELONE_C_API void delone_set_progress(delone_progress progress, void* user_data)
  *   integer  furthest_site 0    of checks of a "triangulation" whose kind is "": 1 asks for furthest sites
  *   integer  proper_faces 0     of cells of sites: 1 counts only faces with an area
  *   real     unit 0             of periodic sets: coordinates are multiples of it; 0: none
- *   integer  exact 0            of the same: 1 refuses what is not on the grid
- *   integer  wrap 1             of the same: 0 refuses points outside of the box
+ *   integer  exact 0            of periodic sets: 1 refuses coordinates that are not on the grid
+ *   integer  wrap 1             of periodic sets: 0 refuses points outside of the box
  *   text     format ""          of files that are read; "": by the extension
  *   text     columns            of files of points: a name, a number from 0, or a range such as 2-5. Each
  *                               call adds one; NULL removes all; none: all columns
@@ -302,8 +302,8 @@ DELONE_C_API int delone_furthest_site(const double* points, size_t num_points, i
 DELONE_C_API int delone_regular(const double* points, const double* weights, size_t num_points, int dimension,
                                 const delone_options* options, delone_object** object);
 
-/* The same of a periodic set: n points and all their translates by `num_vectors` lattice vectors, as many
- * rows of d numbers, linearly independent. Points and lattice are put on a grid of about 50 bits. One cell of
+/* The same of a periodic set: n points and all their translates by `num_vectors` lattice vectors, which are
+ * linearly independent rows of d numbers. Points and lattice are put on a grid of about 50 bits. One cell of
  * each class of translates is kept. Options: also unit, exact, wrap. Errors: also INVALID_ARGUMENT for a
  * singular lattice and for what the options refuse. periodic.hpp describes the results in full. */
 DELONE_C_API int delone_periodic_delaunay(const double* points, size_t num_points, int dimension,
@@ -421,9 +421,10 @@ DELONE_C_API int delone_nearest(const delone_object* triangulation, const double
  *   cells        a cell that contains the query when it is translated by `offsets` (r numbers for each query)
  *                times the lattice vectors; -1 outside
  *   kinds, barycentric  as above
- *   rows         the nearest of all points and their translates, which is translated by `offsets`; of equally
- *                near ones the smaller row, then the lexicographically smaller offset; -1 without points
- *   distances    from the query; with weights the power, and NaN without points */
+ *   rows         the nearest of all points and their translates is the point of this row, translated by
+ *                `offsets`. Of equally near ones the smallest row counts, then the lexicographically smallest
+ *                offset; -1 without points
+ *   distances    the distance from the query, or with weights the power; NaN without points */
 DELONE_C_API int delone_periodic_locate(const delone_object* triangulation, const double* queries,
                                         size_t num_queries, const delone_options* options, int64_t* cells,
                                         int32_t* offsets, uint8_t* kinds, double* barycentric);
@@ -472,9 +473,9 @@ DELONE_C_API int delone_heights(const delone_object* hull, const double* composi
 DELONE_C_API int delone_height_above(const delone_object* hull, const double* points, size_t num_queries,
                                      const delone_options* options, double* heights);
 
-/* The meaning of options of Qhull, with blanks between them, for functions in the place of others that run
- * Qhull: "qhull_options". `program`: "delaunay", "voronoi", "hull" or "halfspaces". UNSUPPORTED, with the name
- * of the option and the reason, for one that asks for a result that there is not. */
+/* What options of Qhull mean, for functions that replace those that run Qhull: "qhull_options". Blanks
+ * separate the options. `program`: "delaunay", "voronoi", "hull" or "halfspaces". UNSUPPORTED, with the name
+ * of the option and the reason, if an option asks for a result that delone does not have. */
 DELONE_C_API int delone_qhull_options(const char* text, const char* program, delone_object** object);
 
 /* The volume of each region of a diagram that was made within the box low[j] <= x[j] <= high[j]: an

@@ -64,8 +64,8 @@ DELONE_EXPORT Forecast forecast(int dimension, std::size_t num_points, std::stri
 ///
 /// Cost: about a twentieth of the construction or 0.3 seconds, at most sample_seconds, and O(n·d) to read the
 /// points, up to 15 times. A sample is given up 0.2 seconds of processor time after sample_seconds, or after
-/// a second if that is later, and where the machine is busy, after 0.3 seconds on the clock. Then smaller
-/// ones tell what they can, or points spread evenly do, and the range says so. Throws Errc::not_finite,
+/// a second if that is later; on a busy machine, after 0.3 seconds on the clock. Then the estimate rests on
+/// smaller samples, or on points spread evenly, and the range shows it. Throws Errc::not_finite,
 /// bad_dimension, cancelled, out_of_memory, and invalid_argument for sample_seconds.
 DELONE_EXPORT Forecast estimate(const AnyPoints<>& points, int dimension,
                                 const ForecastOptions& options = {});

@@ -13,8 +13,8 @@
 
 namespace delone {
 
-/// Faces of one dimension j, one of each class of translates: n of them, increasing by rows and then offsets;
-/// cells are in the order of PeriodicTriangulation::cells(). Does not depend on the number of threads.
+/// The n faces of one dimension j, one of each class of translates, sorted by rows and then offsets. Cells
+/// are in the order of PeriodicTriangulation::cells(). The result does not depend on the number of threads.
 struct DELONE_EXPORT_TYPE PeriodicFaces {
   int dimension = 0;  ///< j
   int rank = 0;       ///< r
@@ -27,7 +27,7 @@ struct DELONE_EXPORT_TYPE PeriodicFaces {
   std::size_t size() const { return on_hull.size(); }
 };
 
-/// All faces of dimension j: of j = 0 the vertices, of j = k the cells; none for k < j ≤ d. Throws
+/// All faces of dimension j: for j = 0 the vertices, for j = k the cells, and none for k < j ≤ d. Throws
 /// Errc::invalid_argument (j < 0 or j > d), unsupported (k > 63, or offsets beyond 32 bits), too_many,
 /// out_of_memory, cancelled. Cost: that of the faces of the points in the box and their images.
 DELONE_EXPORT PeriodicFaces faces(const PeriodicTriangulation& triangulation, int j,

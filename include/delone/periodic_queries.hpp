@@ -2,13 +2,13 @@
 // Batches of queries to a periodic triangulation: in which cell, nearest to which point, and interpolation of
 // values across the border of the box.
 //
-// Queries are anywhere in R^d. A query is put on a grid as the points are, and on the same one unless the set
-// has a unit: then on one that is finer than the unit. Answers are exact for the query on the grid, and move
-// with it: a query translated by a lattice vector has the same answers with other offsets. In a direction
-// that is not periodic, a query farther away than the grid reaches is rounded to 53 bits.
+// Queries may be anywhere in R^d. A query is put on the grid of the points, or, if the set has a unit, on a
+// grid that is finer than the unit. Answers are exact for the query on the grid, and move with it: a query
+// translated by a lattice vector has the same answers with other offsets. In a direction that is not
+// periodic, a query farther away than the grid reaches is rounded to 53 bits.
 //
-// All throw Errc::bad_dimension for coordinates that are no multiple of d, not_finite (rows() names the
-// queries), invalid_argument for a query more than 2^29 periods away (rows() names it), too_many,
+// All throw Errc::bad_dimension if the number of coordinates is no multiple of d, not_finite (rows() names
+// the queries), invalid_argument for a query more than 2^29 periods away (rows() names it), too_many,
 // out_of_memory, cancelled, and unsupported if offsets do not fit into 32 bits. Answers do not depend on
 // Execution::threads.
 #pragma once
@@ -28,8 +28,8 @@
 
 namespace delone {
 
-/// Arrays for the places of q queries, in their order. Each has the size that is written beside it, or is
-/// empty: then it is not wanted.
+/// Arrays for the places of q queries, in their order. Each array has the size written beside it, or is empty
+/// if it is not wanted.
 struct PeriodicLocatedArrays {
   std::span<Location::Kind> kinds = {};  ///< q
   std::span<SignedIndex> cells = {};     ///< q, rows of cells(); −1 outside
@@ -78,16 +78,16 @@ class DELONE_EXPORT PeriodicPointLocator {
   ~PeriodicPointLocator();
 
   /// Locates q queries (q×d coordinates), exactly. Of several cells that contain a query, the one of the
-  /// smallest row, and of its translates the one of the lexicographically smallest offset. Throws also
-  /// Errc::invalid_argument for arrays of other sizes.
+  /// smallest row is found, and of its translates the one of the lexicographically smallest offset. Also
+  /// throws Errc::invalid_argument for arrays of other sizes.
   void locate(std::span<const double> queries, const PeriodicLocatedArrays& to,
               const Execution& how = {}) const;
   /// The same, with faces instead of coordinates.
   PeriodicLocatedPoints locate(std::span<const double> queries, const Execution& how = {}) const;
 
-  /// The nearest of all translates of all points (the minimum image), exactly; with weights the one of least
-  /// power. Of several the one of the smallest row, and of its translates the one of the lexicographically
-  /// smallest offset. The first call makes a table of all edges. Throws as locate().
+  /// Finds the nearest of all translates of all points (the minimum image), exactly; with weights the one of
+  /// least power. Of several it is the one of the smallest row, and of its translates the one of the
+  /// lexicographically smallest offset. The first call makes a table of all edges. Throws as locate().
   void nearest(std::span<const double> queries, const PeriodicNearestArrays& to,
                const Execution& how = {}) const;
 
@@ -138,8 +138,8 @@ struct DELONE_EXPORT_TYPE PeriodicNaturalNeighbors {
 /// Sibson coordinates with respect to a periodic Delaunay triangulation: see NaturalNeighborCoordinates, also
 /// for their accuracy. Refers to the triangulation.
 ///
-/// Method: that of NaturalNeighborCoordinates, where the cells in conflict with the query have points in the
-/// box; otherwise these cells are collected across the border, and their points are triangulated, which takes
+/// Method: that of NaturalNeighborCoordinates, if the cells in conflict with the query have points in the
+/// box. Otherwise these cells are collected across the border, and their points are triangulated, which takes
 /// several times as long.
 class DELONE_EXPORT PeriodicNaturalNeighborCoordinates {
  public:

@@ -60,8 +60,8 @@ struct DELONE_EXPORT_TYPE RationalBox {
 /// rows lexicographically.
 ///
 /// Method: the double description method (Motzkin et al. 1953; Fukuda and Prodon,
-/// doi:10.1007/3-540-61576-8_77), or in few dimensions the insertion of points if it ends first; in integers
-/// of 64 bits, of 128, or of any size as they are needed. Signs of products are certified in binary64 first.
+/// doi:10.1007/3-540-61576-8_77), or in few dimensions the insertion of points, if that ends first. Integers
+/// have 64 bits, 128, or any size, as needed. Signs of products are certified in binary64 first.
 /// Nothing is rounded but what is returned as doubles.
 ///
 /// A Polyhedron does not change, and copies share it; `const` members may be called from several threads
@@ -173,9 +173,9 @@ class DELONE_EXPORT Polyhedron {
   std::shared_ptr<const Impl> impl_;
 };
 
-/// The polyhedron of the halfspaces of an intersection, of whatever state: flat ones have vertices, rays,
-/// lines and equations there. Throws Errc::invalid_argument if the data are without halfspaces, otherwise as
-/// Polyhedron::from_inequalities().
+/// The polyhedron of the halfspaces of an intersection, whatever its state: flat ones, too, have vertices,
+/// rays, lines and equations there. Throws Errc::invalid_argument if the data are without halfspaces,
+/// otherwise as Polyhedron::from_inequalities().
 DELONE_EXPORT Polyhedron to_polyhedron(const IntersectionData& intersection, const Options& options = {});
 /// The polyhedron of the extreme points of a hull. With a tolerance, these are the vertices of its cells.
 /// Throws Errc::invalid_argument if the data are without points, otherwise as Polyhedron::from_generators().

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a text of options of Qhull asks for: for functions that take the place of others that run Qhull.
+// What a text of Qhull's options asks for: for functions that replace those that run Qhull.
 #pragma once
 
 #include <delone/export.hpp>
@@ -13,8 +13,8 @@ namespace delone {
 /// What the options are given to.
 enum class QhullProgram { delaunay, voronoi, hull, halfspaces };
 
-/// What options of Qhull ask for, if it has a meaning here. The others of Qhull are about rounding errors,
-/// memory, the order of work, or what its programs print; no result depends on them.
+/// What those options of Qhull ask for that have a meaning here. The others are about rounding errors,
+/// memory, the order of work, or what Qhull's programs print; no result depends on them.
 struct QhullOptions {
   bool scaled = false;         ///< Qbb of triangulations and diagrams: scale the height of the paraboloid
   bool last_in_box = false;    ///< Qbb of the others: tolerances count where the last column is scaled to
@@ -32,8 +32,8 @@ struct QhullOptions {
   double width = 0;                               ///< Wn: the least tolerance
 };
 
-/// The meaning of options with blanks between them. Throws unsupported, with the name of the option and the
-/// reason, for one that asks for a result that there is not, or that Qhull does not have.
+/// What options, separated by blanks, mean. Throws Errc::unsupported, with the name of the option and the
+/// reason, for an option that asks for a result that delone does not have, or that Qhull does not know.
 DELONE_EXPORT QhullOptions parse_qhull_options(std::string_view text, QhullProgram program);
 
 }  // namespace delone

@@ -217,9 +217,9 @@ class DELONE_EXPORT Diagram {
   /// sums are in binary64, relative error about 10⁻¹⁵ times the shape's condition. Cost: O(output) for k ≤ 3;
   /// beyond, at most (k−1)! simplices per cell and ridge.
   std::vector<double> ridge_volumes(const Execution& how = {}) const;
-  /// The k-volume of each region, infinity for unbounded ones, and for k = 0. As accurate as those of
-  /// site_cells(), wherever the sites are; those of furthest sites, and for k > 12, are sums over ridges.
-  /// Cost: that of site_cells().
+  /// The k-volume of each region; infinity for unbounded regions, and for k = 0. Volumes are as accurate as
+  /// those of site_cells(), wherever the sites are. For furthest sites, and for k > 12, they are sums over
+  /// ridges. Cost: that of site_cells().
   std::vector<double> region_volumes(const Execution& how = {}) const;
   /// The d-volume of each region within a box: always of dimension d, regions of flat input being those of
   /// R^d, prisms over the ones in the flat. The volumes add up to that of the box up to rounding. The
@@ -291,8 +291,8 @@ class DELONE_EXPORT Diagram {
   std::vector<unsigned char> bounded_;  // by region
   std::vector<SignedIndex> ray_vertices_, ray_points_;
   std::vector<double> ray_directions_;
-  // With ridges: the k+1 regions of every finite cell, which volumes are made of; for k > 3 also its vertex,
-  // for volumes of ridges.
+  // With ridges: the k+1 regions of every finite cell, from which volumes are computed; for k > 3 also its
+  // vertex, for volumes of ridges.
   std::vector<SignedIndex> cell_regions_, cell_vertex_;
   double tolerance_ = 0, max_displacement_ = 0;
   std::vector<double> axis_tolerances_;

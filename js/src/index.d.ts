@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The types of the package. docs/js.md of the documentation describes it; delone.h of the C interface says more of each member.
 
-/** A failure. `status` is its name in the C interface, such as "not_finite"; `rows` are the rows that it concerns. */
+/** A failure. `status` is its name in the C interface, such as "not_finite"; `rows` has the rows concerned. */
 export class DeloneError extends Error {
   readonly status: string;
   readonly rows: number[];
 }
-/** What was given is wrong: numbers, arguments, options, files. */
+/** The caller's numbers, arguments, options or files are wrong. */
 export class InputError extends DeloneError {}
 export class OutOfMemoryError extends DeloneError {}
 export class TimeLimitError extends DeloneError {}
@@ -16,19 +16,19 @@ export class CancelledError extends DeloneError {}
 export type Numbers =
   | Float64Array | Float32Array | Int8Array | Uint8Array | Uint8ClampedArray | Int16Array | Uint16Array | Int32Array | Uint32Array
   | readonly number[];
-/** Rows of numbers: one after the other, or each an array. */
+/** Rows of numbers: flat, one after the other, or an array for each row. */
 export type Rows = Numbers | readonly Numbers[];
 type Borrowed = Float64Array | Int32Array | BigInt64Array | Uint8Array;
 
 export interface CallOptions {
-  /** Called with the fraction done, about every 20 ms. If it returns true, the call ends with a CancelledError; if it throws, with that. */
+  /** Called with the fraction done, about every 20 ms. If it returns true, the call ends with a CancelledError; if it throws, with that exception. */
   progress?: (fraction: number) => unknown;
 }
 export interface ConstructionOptions extends CallOptions {
-  /** Of the insertion order; 0 by default. The result does not depend on it. */
+  /** The seed of the insertion order; 0 by default. The result does not depend on it. */
   seed?: number;
   order?: "automatic" | "as_given" | "shuffled";
-  /** Seconds; 0: no limit. */
+  /** The limit in seconds; 0: none. */
   timeLimit?: number;
 }
 export interface ToleranceOptions extends CallOptions {
@@ -64,16 +64,16 @@ declare class DeloneObject {
   protected constructor();
   /** An array without a copy: valid until the next call of the package, and until the object changes or is freed. */
   view(name: string): Borrowed;
-  /** [its length], or [its rows, its columns]. */
+  /** The shape of an array: [length], or [rows, columns]. */
   shape(name: string): [number] | [number, number];
-  /** Gives its memory back. Otherwise the garbage collector does, some time after the last reference is gone. */
+  /** Releases the object's memory. Otherwise the garbage collector does, some time after the last reference is gone. */
   free(): void;
 }
 
 declare class Result extends DeloneObject {
-  /** Proves the object right, exactly, or says what is wrong. */
+  /** Proves that the object is right, exactly, or says what is wrong. */
   check(options?: CheckOptions): CheckReport;
-  /** A file of it: "npz", "json", "html" and others. */
+  /** The content of a file with the object: "npz", "json", "html" and others. */
   toBytes(format: string): Uint8Array;
   clone(): this;
 }
@@ -99,13 +99,13 @@ export interface Located {
   kinds: Uint8Array;
   /** affineDimension + 1 numbers for each query; NaN outside. */
   barycentric: Float64Array;
-  /** Of the point that answers from the query, at most. */
+  /** A bound on the distance of the point that answers from the query. */
   distances: Float64Array;
 }
 
 /** Cells that were read or given. Points are named by rows, cells by rows of `cells`, from 0; -1 is none. */
 export class Triangulation extends Result {
-  /** The caller's cells, affineDimension + 1 rows each, to be checked, searched or written. */
+  /** Cells of the caller, affineDimension + 1 rows each, to be checked, searched or written. */
   static ofCells(points: Rows, dimension: number, cells: Rows, affineDimension?: number, weights?: Numbers): Triangulation;
   readonly kind: string;
   readonly dimension: number;
@@ -147,9 +147,9 @@ declare class PointTriangulation extends Triangulation {
   readonly axes: Int32Array;
   readonly circumcenters: Float64Array;
   readonly circumradii: Float64Array;
-  /** All or, after an error, none. Weights only of a Regular one. */
+  /** Inserts all points or, after an error, none. Only a Regular triangulation takes weights. */
   insert(points: Rows, weights?: Numbers): void;
-  /** Rows keep their numbers, which are not used again. */
+  /** The other rows keep their numbers. Those of removed rows are not used again. */
   remove(rows: Numbers): void;
   move(rows: Numbers, points?: Rows, weights?: Numbers): void;
   /** The rows of the `count` nearest vertices of each query, nearest first; -1 if there are fewer. */

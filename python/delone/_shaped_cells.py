@@ -23,19 +23,19 @@ def lloyd(points, *, box=None, halfspaces=None, lattice=None, steps=10, threads=
     lattice : float or array_like, optional
         As for `PeriodicDelaunay`, d vectors: the set is periodic, and no cell is cut. Points that leave the box are not wrapped.
     steps : int, optional
-        How many times.
+        How many times all points move.
     threads : int, optional
         Number of threads; 0 chooses.
 
     Returns
     -------
     (n, d) ndarray of float64
-        Where the points are then. A point without a cell (a duplicate of an earlier one, or one whose cell is outside of the box) stays.
+        The points after the last step. A point without a cell (a duplicate of an earlier one, or one whose cell is outside of the box) stays.
 
     Raises
     ------
     ValueError
-        If there is not one of box and lattice, the lattice has fewer than d vectors, or `steps` is negative.
+        If not exactly one of box and lattice is given, the lattice has fewer than d vectors, or `steps` is negative.
     InputError
         If the points, the box, halfspaces or the lattice are not as wanted.
 
@@ -74,8 +74,8 @@ def prescribed_volumes(points, volumes=None, *, box=None, halfspaces=None, latti
     points : (n, d) array_like
         The sites, which must be distinct, and each must have a Voronoi cell in the box.
     volumes : (n,) array_like, optional
-        The volumes wanted, positive. Their sum must be the volume of the box up to 1e-9 of it; they are multiplied by the quotient. By default
-        all are equal.
+        The volumes wanted, positive. Their sum may differ from the volume of the box by 1e-9 of it; they are then scaled to that volume. By
+        default all are equal.
     box : (low, high), optional
         Two arrays (d,): the cells are those in this box. Give it, or a lattice.
     halfspaces : (m, d+1) array_like, optional
@@ -83,7 +83,7 @@ def prescribed_volumes(points, volumes=None, *, box=None, halfspaces=None, latti
     lattice : float or array_like, optional
         As for `PeriodicRegular`, d vectors: the set is periodic.
     tolerance : float, optional
-        Each volume may be off by so much of itself.
+        The largest relative error of a volume.
     max_steps : int, optional
         The largest number of steps of Newton's method.
     threads : int, optional
@@ -99,8 +99,8 @@ def prescribed_volumes(points, volumes=None, *, box=None, halfspaces=None, latti
     Raises
     ------
     ValueError
-        If there is not one of box and lattice, the lattice has fewer than d vectors, there are not n positive volumes or their sum is
-        another, or a row has no cell to begin with.
+        If not exactly one of box and lattice is given, the lattice has fewer than d vectors, there are not n positive volumes, their sum is
+        not that of the box, or a row has no cell to begin with.
     InputError
         If the points, the box, halfspaces or the lattice are not as wanted.
     Error
@@ -115,8 +115,8 @@ def prescribed_volumes(points, volumes=None, *, box=None, halfspaces=None, latti
     -----
     Damped Newton's method (Kitagawa, Merigot and Thibert 2019, doi:10.4171/JEMS/889). The derivative of the volume of cell i with respect to
     the weight of its neighbor j is minus the area of their face over twice their distance. A step is halved until no cell has less than half of
-    the least volume that is wanted or was there, and the error is less by a share of the step. Empty cells are told exactly. The linear systems
-    are solved by conjugate gradients. Cost: some ten to twenty triangulations with `Regular.site_cells`.
+    the least volume, wanted or initial, and the error has fallen enough for the size of the step. Empty cells are recognized exactly. The linear
+    systems are solved by conjugate gradients. Cost: some ten to twenty triangulations with `Regular.site_cells`.
 
     Examples
     --------
@@ -179,7 +179,7 @@ def ball_halfspaces(center, radius, count=200) -> np.ndarray:
     radius : float
         The radius, positive.
     count : int, optional
-        How many, at least 2 d.
+        The number of halfspaces, at least 2 d.
 
     Returns
     -------

@@ -32,8 +32,8 @@ OutOfMemoryError, TimeLimitError
 
 Notes
 -----
-A flat or empty intersection is a result, see `state`; `to_polyhedron` has the vertices and rays of a flat one. If the intersection contains lines (k < d), vertices and the like are those
-of its section by the coordinates `axes`, and `lineality` spans the lines.
+A flat or empty intersection is a result, see `state`. The vertices and rays of a flat one are those of `to_polyhedron`. If the
+intersection contains lines (k < d), vertices and the like are those of its section by the coordinates `axes`, and `lineality` spans the lines.
 
 Method: duality, Preparata and Muller, doi:10.1016/0304-3975(79)90055-0. Cost: that of the convex hull of m+1 points. Methods
 release the GIL.

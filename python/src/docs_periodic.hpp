@@ -169,8 +169,8 @@ locate : Also find the faces that contain the queries.
 Notes
 -----
 Queries are put on the grid as the points are; with a unit, on one that is finer. The answer is exact for the query on the grid,
-and moves with the query. Of several cells with the query on a common face the first counts. The first call makes a table; then a
-query takes about as long as without a lattice, and some microseconds near the border of the box.
+and moves with the query. If the query is on a face of several cells, the first of them counts. The first call makes a table. After
+that a query takes about as long as without a lattice, and some microseconds near the border of the box.
 
 Examples
 --------
@@ -266,8 +266,8 @@ ValueError
 
 Notes
 -----
-Exact for the query on the grid. For `PeriodicRegular` the points of least power ``|x - p|^2 - weight``, and the powers. The first
-call makes a table of all edges.
+The answer is exact for the query on the grid. `PeriodicRegular` finds the points of least power ``|x - p|^2 - weight``, and
+returns the powers. The first call makes a table of all edges.
 
 Examples
 --------
@@ -372,8 +372,8 @@ NaturalNeighborInterpolator : Without a lattice.
 
 Notes
 -----
-Continuous, and continuously differentiable except at the points. Near the border of the box a query takes several times as long
-as elsewhere.
+The function is continuous, and continuously differentiable except at the points. Near the border of the box a query takes several
+times as long as elsewhere.
 
 Examples
 --------

@@ -48,8 +48,8 @@ class TriangulationEngine : public Engine {
   /// done, or costly if it cannot stay or many cells would change. Writes the point. Strong guarantee.
   virtual engine::Change move(Index v, Index cell, const double* to) = 0;
   /// The same after any vertices have got other points, in another frame if there is one, in up to `threads`
-  /// threads (Options::threads). Where the hull changes too much, it calls `put_back` with vertices, all of
-  /// which are to have their old points again when that returns. If it is costly, or throws, the batch has to
+  /// threads (Options::threads). Where the hull changes too much, it calls `put_back` with vertices, which
+  /// must all have their old points again when the call returns. If it is costly, or throws, the batch has to
   /// be undone before anything else is done. REQUIRES begin_batch() and no change since.
   virtual engine::Change move_all(std::optional<geometry::Frame> frame, unsigned threads,
                                   const std::function<void(std::span<const Index>)>& put_back) = 0;

@@ -185,7 +185,7 @@ void Editing::erase_placed(const std::vector<std::uint8_t>& is_placed_now) {
     if (leaving.moves()) leaving.placement = new_places[leaving.placement];
 }
 
-/// Some of the vertices that were moved since the journal had `first` get their old points.
+/// Gives their old points to some of the vertices that were moved since the journal had `first` entries.
 void Editing::put_points_back(const std::vector<std::uint8_t>& is_put_back, std::size_t first) {
   const sites::Journal& journal = record().sites;
   const std::size_t size = state_.row_size(), last = journal.moved.size();

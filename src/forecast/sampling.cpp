@@ -51,7 +51,7 @@ class Sampling {
     return std::max(options.sample_seconds, least) + ahead;
   }
 
-  /// Where the machine has other work to do, the clock on the wall ends samples a little later.
+  /// If the machine is busy with other work, the clock on the wall ends samples a little later.
   bool is_overdue() const {
     constexpr double wait = 0.1;
     return stopwatch_.seconds() > most_seconds_ + wait;

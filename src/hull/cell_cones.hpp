@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The cones of the cells of a hull from a point inside, in binary64: for walks, and to see how far points are
+// The cones from a point inside a hull over its cells, in binary64: for walks, and to see how far points are
 // beyond cells.
 #pragma once
 
@@ -24,8 +24,8 @@ class CellCones {
 
   const SimplicialHull& hull() const { return hull_; }
 
-  /// The matrix that takes x − center to the weights of the cell's vertices; with numbers that are none if
-  /// binary64 finds the cone to be flat.
+  /// The matrix that takes x − center to the weights of the cell's vertices; with entries that are not
+  /// numbers if binary64 finds the cone to be flat.
   const double* inverse(std::size_t cell);
   /// Coordinate j of the edge from the center to vertex i.
   double edge(std::size_t cell, std::size_t i, std::size_t j) const {

@@ -304,8 +304,8 @@ Sign exact_sphere(const Flat& flat, const double* const* points, const double* q
   return Problem(flat, points, q, true).sign();
 }
 
-/// Rows are no differences that cancel, so twice the precision of binary64 tells nearly all signs that are
-/// not zero, in a fifth of the time of integers.
+/// Rows are not differences, which cancel. So twice the precision of binary64 decides nearly all signs that
+/// are not zero, in a fifth of the time of integers.
 Sign exact_determinant(std::span<const int> axes, const double* const* rows) {
   if (const auto sign = double_double_determinant(axes, rows)) return *sign;
   const int row_size = axes.empty() ? 0 : *std::max_element(axes.begin(), axes.end()) + 1;

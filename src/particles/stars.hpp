@@ -30,7 +30,8 @@ class Stars {
   std::span<const CellId> cells_at(Index v) const {
     return std::span(cells_).subspan(offsets_[v], offsets_[v + 1] - offsets_[v]);
   }
-  /// Asks for a cell that will be needed soon: some places after cell `c` at v, or in the stars that follow.
+  /// Prefetches a cell that will be needed soon: some places after cell `c` at v, or in the stars that
+  /// follow.
   void prefetch_after(Index v, std::size_t c) const {
     constexpr std::size_t distance = 16;
     complex_.prefetch(cells_[std::min(offsets_[v] + c + distance, cells_.size() - 1)]);

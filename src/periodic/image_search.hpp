@@ -10,9 +10,9 @@
 // times |g_i| of those of c. All of this is rounded, and widened by much more than its errors.
 //
 // In a box of few points these are (2R)^r copies, and the ball is a small part of them. So translations are
-// chosen from the last to the first, in orthonormal directions e_i of which a_j has no part for j < i: once
-// k_i … are chosen, so is the distance of c from the points of the copy along e_i …, and where it exceeds the
-// radius, no choice of the others will do (Fincke and Pohst 1985, doi:10.1090/S0025-5718-1985-0777278-8).
+// chosen from the last to the first, in orthonormal directions e_i in which a_j has no component for j < i.
+// Once k_i … are chosen, the distance of c from the points of the copy along e_i … is fixed. Where it exceeds
+// the radius, no choice of the others will do (Fincke and Pohst 1985, doi:10.1090/S0025-5718-1985-0777278-8).
 #pragma once
 
 #include "base/progress_meter.hpp"

@@ -56,7 +56,7 @@ void NearestImage::take(const std::int32_t* wraps) {
   squared_distance = queries::power(x_.data(), parts_.point(at_), parts_.dimension, 0.0).value;
 }
 
-/// Of all points as near as the one at hand, which edges between them connect.
+/// Chooses among all points as near as this one. Edges between them connect them.
 void NearestImage::choose_first(const std::int32_t* wraps) {
   const std::vector<double> q = [&] {
     std::vector<double> x = x_;

@@ -3,8 +3,8 @@
 //
 // The walk of queries/nearest_vertex.cpp over the edges of the whole set: all edges at a point of the box are
 // known. Where an image in another box is nearer, the walk goes on at its point in the box, with the query
-// translated likewise. Each step is to a point that is strictly nearer, so the walk ends; at a point without
-// nearer neighbors, which is nearest.
+// translated likewise. Each step goes to a point that is strictly nearer, so the walk ends. It ends at a
+// point without nearer neighbors, which is the nearest one.
 #pragma once
 
 #include "periodic/query_location.hpp"
@@ -56,7 +56,7 @@ class NearestImage {
   const QueryParts& parts_;
   const PointLocator::Edges& edges_;
   VertexId at_ = invalid_vertex;  // a vertex in the box
-  Offset shift_;                  // the query less that is x_
+  Offset shift_;                  // x_ is the query translated by −shift_
   std::vector<double> x_;
   std::vector<std::int32_t> other_;
 };

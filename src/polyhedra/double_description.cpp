@@ -25,7 +25,7 @@ class Steps {
   Steps(const PointedCone& cone, unsigned threads, Tier first)
       : cone_(cone), threads_(threads), tier_(first), progress_(no_function_, cone.rows.size()) {}
 
-  /// Goes on until all calls have taken so many seconds. Whether it has come to the end.
+  /// Goes on until all calls have taken this many seconds. Returns whether it has come to the end.
   bool run_until(double seconds) {
     stopwatch_.restart();
     seconds_left_ = seconds - seconds_;
@@ -133,9 +133,9 @@ class Steps {
   RayNumbers<Integer> large_;
 };
 
-/// When insertion is tried, too, in cones of few dimensions: after so many seconds, and each time that four
-/// times as many have passed, it gets `factor` times as many as the steps had. It counts milliseconds in
-/// twenties, so there is no trial before.
+/// When insertion is tried, too, in cones of few dimensions: after this many seconds, and again whenever four
+/// times as many have passed. Each try may take `factor` times as long as the steps so far. It counts
+/// milliseconds in twenties, so there is no try before that.
 struct Trial {
   std::size_t most_dimensions;
   bool needs_simple_rays;

@@ -32,7 +32,7 @@ bool is_power_of_two(const Integer& x) {
   return x > 0 && boost::multiprecision::lsb(x) == boost::multiprecision::msb(x);
 }
 
-/// Options with which a construction ends after some seconds. The meter around it is asked meanwhile.
+/// Options that end a construction after some seconds. Meanwhile the meter around it is asked.
 class LimitedTime {
  public:
   explicit LimitedTime(double seconds) : seconds_(seconds), around_(internal::current_meter) {

@@ -13,8 +13,8 @@ namespace delone::polyhedra {
 inline constexpr std::size_t most_dimensions_of_insertion = 7;
 
 /// The same rays as find_rays_of_pointed(), of which `zeros` have at least the rows that are facets. Nothing
-/// if it would take more than so many seconds, if entries of rows are no doubles, or if the cone is flat.
-/// Quick for simple polyhedra in few dimensions: a vertex on many facets is many simplices.
+/// if it would take more than this many seconds, if entries of rows are no doubles, or if the cone is flat.
+/// Fast for simple polyhedra in few dimensions; a vertex on many facets makes many simplices.
 std::optional<PointedRays> find_rays_by_insertion(const PointedCone& cone, double seconds);
 
 }  // namespace delone::polyhedra

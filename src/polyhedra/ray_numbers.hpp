@@ -170,7 +170,7 @@ class RayNumbers {
                                     at_n = product_with_other(graph, n, p, words, arithmetic);
     return at_p < at_n ? at_p : at_n;
   }
-  /// The product of a ray and the first row that the other one lies on, but not the ray; 0 if it is too
+  /// The product of a ray and the first row on which the other ray lies and this one does not; 0 if it is too
   /// large.
   typename Arithmetic<T>::Product product_with_other(const RayGraph& graph, RayId ray, RayId other,
                                                      std::size_t words,

@@ -73,7 +73,8 @@ solve::SimplePolytope::Measures RegionClipper::measures_by_axis(const std::vecto
     result.centroid[j] = std::ldexp(result.centroid[j], exponents[j]);
   for (auto& facet : result.facets) {
     const std::vector<double>& a = planes_[facet.label].a;
-    // Of the terms a and a' the largest exponents: what is below these by a thousand does not count.
+    // The largest exponents of the terms of a and a'. A term whose exponent is a thousand less does not
+    // count.
     int top = std::numeric_limits<int>::lowest(), scaled_top = top;
     for (std::size_t j = 0; j < d_; ++j)
       if (a[j] != 0) {
@@ -142,7 +143,7 @@ std::size_t rank_of(std::vector<std::vector<kernel::Integer>> rows) {
 
 }  // namespace
 
-/// Without ties all facets are. Otherwise one is whose corners span its plane: d of them are linearly
+/// Without ties all facets are. Otherwise a facet is if its corners span its plane: d of them are linearly
 /// independent as rows of d + 1 homogeneous coordinates.
 bool RegionClipper::spans_plane(std::size_t plane, const std::vector<Corner>& all) {
   std::vector<std::vector<kernel::Integer>> rows;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The volumes of bounded regions from the cells of the triangulation: sums of signed pieces, which use
-// differences of sites, and no vertices, which are rounded.
+// The volumes of bounded regions from the cells of the triangulation: sums of signed pieces. These use
+// differences of sites, and not the vertices, which are rounded.
 #pragma once
 
 #include <delone/types.hpp>

@@ -25,7 +25,7 @@
 ## @item [@var{C}, @var{r}] = circumcenter (@var{t}), circumcenter (@var{t}, @var{id})
 ## the centers and radii of circumscribed spheres,
 ## @item @var{u} = insert (@var{t}, @var{pts}), @var{u} = remove (@var{t}, @var{rows}), @var{u} = move (@var{t}, @var{rows}, @var{pts})
-## another triangulation, of more points, of fewer, or with other points in some rows.  It is exactly that of the points that it has.
+## another triangulation, with more points, with fewer, or with other points in some rows.  It is exactly that of its points.
 ## Rows keep their numbers; the points of removed rows are NaN,
 ## @item write (@var{t}, @var{file}), write (@var{t}, @var{file}, @var{format})
 ## writes it as @code{delone.write} does.

@@ -8,7 +8,7 @@
 ##
 ## @var{sets} is a cell array as for @code{delone.convex_hulls}.  V(i,j) is the volume that the hulls of sets i and j have in common; on the
 ## diagonal are the volumes of the hulls.  With @var{pairs}, two numbers of sets in each row, @var{v} has a volume for each row.  A volume
-## is off by some roundings of the sizes of the hulls.
+## is off by a few rounding errors of the size of the hulls.
 ## @seealso{delone.convex_hulls}
 ## @end deftypefn
 

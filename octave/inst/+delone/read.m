@@ -6,7 +6,7 @@
 ## A result in a file that delone has written, from any language: a triangulation, hull, intersection or diagram, as npz, json or off.
 ##
 ## @var{s} is a struct with all members of the result, among them @code{points} and @code{cells}, and its @code{kind}.  Their names are
-## those of the file.  Points, cells and vertices count from 1, and NaN is none.
+## those of the file.  Points, cells and vertices count from 1, and NaN stands for none.
 ## @seealso{delone.write, delone.read_points}
 ## @end deftypefn
 

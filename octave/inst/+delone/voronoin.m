@@ -10,8 +10,8 @@
 ## the numbers of the vertices of the region of point i; a region that is not bounded has vertex 1.  In the plane they go around the region.
 ## Equal points share a region.  Vertices are rounded once, and more than d+1 points on a sphere have one vertex.
 ##
-## @var{options} of Qhull are accepted, as in @code{delone.delaunayn}: with "Qu" a region has what is farther from its point than from
-## all others, and points that are not extreme have none, an empty @var{F}@{i@}.
+## @var{options} of Qhull are accepted, as in @code{delone.delaunayn}: with "Qu" a region contains what is farther from its point than
+## from all others, and points that are not extreme have no region, an empty @var{F}@{i@}.
 ## @seealso{voronoin, delone.region_volumes}
 ## @end deftypefn
 

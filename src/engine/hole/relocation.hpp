@@ -59,9 +59,9 @@ class Relocation {
   /// After any vertices have moved, in up to `threads` threads (Options::threads). `find_inside` returns a
   /// query in the interior of the hull, with weights one as heavy as any vertex, or nothing. Where a hole at
   /// the hull cannot be filled, `put_back` is called at most once, with vertices, those of the hull among
-  /// them: these are to get the points that they had. `costly`, and soon, where much has changed; then some
-  /// cells may have changed, and all functionals are wrong. Some of the cells that were made may be gone
-  /// again.
+  /// them: these are to get the points that they had. Where much has changed, the result is `costly`, and
+  /// soon found to be so; then some cells may have changed, and all functionals are wrong. Some of the cells
+  /// that were made may be gone again.
   template <class FindInside, class PutBack>
   Change relocate_all(unsigned threads, FindInside&& find_inside, PutBack&& put_back) {
     bad_.clear();
@@ -200,10 +200,10 @@ class Relocation {
   }
 
   /// After a hole at the hull that cannot be filled: puts back the vertices of the hull, and those of all
-  /// holes that reach it, as vertices close to a flat part of the hull pass it in any order. Then the hull is
-  /// what it was. Finds the cells around these vertices that are bad now. Returns false, and has put none
-  /// back, if they are not few: to move them one by one takes tens of times as long as to insert them in a
-  /// batch.
+  /// holes that reach it, as vertices close to a flat part of the hull may cross it in any order. Then the
+  /// hull is as it was before. Finds the cells around these vertices that are bad now. If the vertices are
+  /// not few, returns false and puts none back: moving them one by one takes tens of times as long as
+  /// inserting them in a batch.
   template <class PutBack>
   bool release_hull(PutBack&& put_back) {
     constexpr std::size_t one_in = 32;

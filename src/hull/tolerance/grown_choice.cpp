@@ -110,8 +110,8 @@ class Growth {
     return found;
   }
 
-  /// Walks from a cell to the one whose cone has p. Returns the sum of the weights there: more than 1 beyond
-  /// the cell.
+  /// Walks from a cell to the one whose cone contains p. Returns the sum of the weights there, which is more
+  /// than 1 if p is beyond the cell.
   double walk(CellCones& cones, Index p, std::size_t& cell) {
     const double* const center = state_.boundary()->center().data();
     for (std::size_t j = 0; j < d_; ++j) difference_[j] = points_[p][j] - center[j];

@@ -18,12 +18,12 @@ struct GrownChoice {
   std::vector<Index> corners;
 };
 
-/// Points, which are named by their numbers, are kept as in Quickhull (Barber, Dobkin, Huhdanpaa 1996,
-/// doi:10.1145/235815.235821): in rounds, in each cell of the hull of those kept the one farthest beyond its
-/// hyperplane, if that is farther than the tolerance. Rounds that add few end it. All is decided in binary64
-/// but the hull: points may be left that are not within the tolerance. A function of the sequence of points.
-/// REQUIRES distinct points that span R^dimension. Cost: a walk of a few cells for each point and round, of
-/// which there are O(log h) for h vertices.
+/// Keeps points, named by their numbers, as Quickhull does (Barber, Dobkin, Huhdanpaa 1996,
+/// doi:10.1145/235815.235821). Each round adds, for each cell of the hull of the points kept, the point
+/// farthest beyond the cell's hyperplane, if that is farther than the tolerance. A round that adds few is the
+/// last. All but the hull is decided in binary64, so points that are not within the tolerance may be left.
+/// The result is a function of the sequence of points. REQUIRES distinct points that span R^dimension. Cost:
+/// a walk of a few cells for each point and round, of which there are O(log h) for h vertices.
 GrownChoice grow_choice(std::span<const double* const> points, int dimension, double tolerance,
                         std::span<const Index> required, const std::function<void()>& alive);
 

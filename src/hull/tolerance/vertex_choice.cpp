@@ -53,7 +53,7 @@ bool is_far_along_mean(std::span<const double* const> neighbors, const double* v
   });
 }
 
-/// Notes which of the extreme sites are necessary, by their places: of each `step`-th one.
+/// Notes which of the extreme sites are necessary, by their places. Examines each `step`-th one.
 void find_necessary(const BoundarySites& sites, const ExtremeSites& extreme, double tolerance,
                     std::size_t step, std::vector<char>& necessary, const std::function<void()>& alive) {
   const std::size_t h = extreme.size();
@@ -140,7 +140,7 @@ std::optional<NearFlatChoice> choose_projected(const BoundarySites& sites, const
   return NearFlatChoice{std::move(axes), choice_of(cover, extreme)};
 }
 
-/// Whether a first choice is grown: so many sites of a full dimension with few cells.
+/// Whether a first choice is grown: if there are many sites of full dimension, and few cells.
 bool grows(const BoundarySites& sites, std::size_t num_sites) {
   constexpr std::size_t least_sites = 256;
   constexpr int most_dimensions = 4;

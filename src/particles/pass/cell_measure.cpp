@@ -17,8 +17,8 @@
 namespace delone::particles {
 namespace {
 
-/// What the computed pieces of a cell may be off by in all, relative to the sum of their absolute values.
-/// 10⁻¹³ more is for sums over them.
+/// By how much the computed pieces of a cell may be off in all, relative to the sum of their absolute values.
+/// Sums over them are allowed 10⁻¹³ more.
 constexpr double tolerance = 9e-13;
 
 double power_of_two(int exponent) {

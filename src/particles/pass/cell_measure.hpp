@@ -18,8 +18,8 @@ class CellMeasure {
   /// differences are in range; weights by 2^(−2·unit).
   CellMeasure(std::size_t k, std::size_t d, bool weighted, int unit = 0);
 
-  /// The next site is at `from`, d coordinates, then the weight if there are weights. It has so many
-  /// neighbors. What pointers point to must stay until measure() is done.
+  /// Begins the next site, which is at `from`: d coordinates, then the weight if there are weights. It has
+  /// this number of neighbors. What pointers point to must not change until measure() is done.
   void begin(const double* from, std::size_t num_neighbors) {
     from_ = from;
     to_.resize(num_neighbors);

@@ -4,8 +4,8 @@
 //
 // Let N = 2^L be more than the number of terms, and |x| ≤ 2^e. With A = 1.5·2^(e+L), the sum x + A is in
 // [2^(e+L), 2^(e+L+1)], where doubles are multiples of a quantum q = 2^(e+L−52). So (x + A) − A is the
-// nearest multiple of q, what it differs from x by is at most q/2 and exact, and sums of such multiples are
-// exact, as they are at most N·2^e = 2^52·q. The rest is split in the same way, with e + L − 52 in the place
+// nearest multiple of q. Its difference from x is at most q/2 and exact. Sums of such multiples are exact,
+// as they are at most N·2^e = 2^52·q. The rest is split in the same way, with e + L − 52 in place
 // of e. After two levels a term has lost at most 2^(e+2L−105).
 #pragma once
 
@@ -26,14 +26,14 @@ class TermSplitter {
       : log_count_(std::bit_width(count)), levels_(count <= 4096 ? 2 : 4) {
     set_constant(largest);
   }
-  /// The first part of x, which is taken from it.
+  /// Returns the first part of x, and subtracts it from x.
   double take(double& x) const {
     const double part = (x + constant_) - constant_;
     x -= part;
     return part;
   }
   double constant() const { return constant_; }
-  /// Goes on to what is left of the terms. False if nothing is, or nothing that counts.
+  /// Goes on to what is left of the terms. Returns false if nothing that counts is left.
   bool next() {
     if (--levels_ == 0 || constant_ == 0) return false;
     set_constant(constant_ * (0x1p-53 / 1.5));

@@ -44,8 +44,9 @@ constexpr std::size_t piece_size(std::size_t k, std::size_t d) { return k + d + 
 void find_pieces_in_lanes(std::size_t d, bool weighted, std::size_t count, const double* records,
                           const std::uint32_t* corners, std::size_t stride, double* pieces);
 
-/// What the sums of absolute volumes and of bounds over `count` cells are; they do not depend on the order of
-/// the cells, as they are rounded to a grid first: by less than 2^−40 of themselves for a few hundred cells.
+/// The sums of absolute volumes and of bounds over `count` cells. They do not depend on the order of the
+/// cells, as terms are rounded to a grid first, which changes sums by less than 2^−40 of themselves for a few
+/// hundred cells.
 struct PieceTotals {
   double size, error;
 };

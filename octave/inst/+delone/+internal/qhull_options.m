@@ -3,9 +3,9 @@
 
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{furthest} =} delone.internal.qhull_options (@var{caller}, @var{options}, @var{program})
-## Examine the options of Qhull that a function of Octave's names is given: whether they ask for furthest sites.
+## Examine Qhull's options, given to a function with a name of Octave's: whether they ask for furthest sites.
 ##
-## The library knows what an option means for a @var{program}: "delaunay", "voronoi" or "hull".  Most have nothing to change, as all
+## The library knows what an option means for a @var{program}: "delaunay", "voronoi" or "hull".  Most have no effect, as all
 ## results are exact.  Those that ask for a result that the function does not have are errors; so are furthest sites if nothing is returned.
 ## @end deftypefn
 
