@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Polyhedra of many kinds as files of cddlib and lrs, in two sets: NAMED, which the methods were chosen by, and HELD_OUT, other families,
-dimensions and seeds, which were made before and not looked at for it.
+"""Polyhedra of many kinds as files of cddlib and lrs, in three sets: NAMED, which the methods were chosen by, HELD_OUT, other families, dimensions
+and seeds, which later changes were tuned by as well, and UNSEEN, again others, written before any of them was measured and tuned by for nothing.
 
 A member is a function without arguments that returns an H (inequalities) or V (generators) with rows of integers, homogeneous coordinate first:
 b + a·x ≥ 0 and (1, v), (0, r), as these programs have them."""
@@ -246,6 +246,77 @@ def large_numbers(n, d, digits, seed):
     return H(rows)
 
 
+def spanning_trees(nodes):
+    """Vertices are the spanning trees of the complete graph, as sets of edges."""
+    edges = complete_graph(nodes)
+
+    def is_tree(chosen):
+        root = list(range(nodes))
+        for i, j in chosen:
+            if root[i] == root[j]:
+                return False
+            root = [root[i] if r == root[j] else r for r in root]
+        return True
+    return points([int(e in chosen) for e in edges] for chosen in itertools.combinations(edges, nodes - 1) if is_tree(chosen))
+
+
+def matchings(nodes, share, seed):
+    """Fractional matchings of a random graph: x ≥ 0, and the edges at each node sum to at most 1."""
+    edges = random_graph(nodes, share, seed)
+    return H([[0, *(int(i == j) for j in range(len(edges)))] for i in range(len(edges))]
+             + [[1, *(-int(node in edge) for edge in edges)] for node in range(nodes)])
+
+
+def independent_sets(nodes, m, seed):
+    """Of a random graph with m edges."""
+    edges = random_graph(nodes, m, seed)
+    return points(x for x in itertools.product((0, 1), repeat=nodes) if not any(x[i] and x[j] for i, j in edges))
+
+
+def associahedron(n):
+    """Sums over intervals of x[0..n−1] are at least those of 1, 3, 6, …; the sum of all is given."""
+    rows = [[-(n * (n + 1) // 2), *[1] * n]]
+    for i, j in itertools.combinations(range(n + 1), 2):
+        if j - i < n:
+            rows.append([-((j - i) * (j - i + 1) // 2), *(int(i <= k < j) for k in range(n))])
+    return H(rows, (0,))
+
+
+def knapsack(d, largest, seed):
+    """0/1 points below a random plane."""
+    weights = np.random.default_rng(seed).integers(1, largest + 1, d)
+    return points(x for x in itertools.product((0, 1), repeat=d) if 2 * (np.array(x) @ weights) <= weights.sum())
+
+
+def pyramid(description, times):
+    """Apex over apex."""
+    rows = [list(row) for row in description.rows]
+    for _ in range(times):
+        width = len(rows[0])
+        rows = [[*row, 0] for row in rows] + [[1, *[0] * (width - 1), 1]]
+    return V(rows)
+
+
+def bounded_sums(n, d, seed):
+    """Σ |x[i]| w[i] ≤ 1 for n random sign vectors and weights: boxes cut askew."""
+    random = np.random.default_rng(seed)
+    rows = [[20, *(random.integers(1, 10, d) * random.choice((-1, 1), d)).tolist()] for _ in range(n)]
+    return H(rows + [[3, *(s * int(i == j) for j in range(d))] for i in range(d) for s in (1, -1)])
+
+
+def torus(n, d, seed):
+    """Points of a product of circles, in even dimensions."""
+    angles = np.random.default_rng(seed).uniform(0, 2 * np.pi, (n, d // 2))
+    return points(np.rint(1000 * np.concatenate([np.cos(angles), np.sin(angles)], axis=1)).astype(int))
+
+
+def rays_in_orthant(n, d, largest, seed):
+    """A cone of random rays of non-negative integers, many of them zero."""
+    random = np.random.default_rng(seed)
+    rows = random.integers(0, largest + 1, (n, d)) * random.integers(0, 2, (n, d))
+    return V([[1, *[0] * d]] + [[0, *row.tolist()] for row in rows if row.any()])
+
+
 NAMED = {
     "ccp6": lambda: cuts(6, complete_graph(6)), "cross8": lambda: cross(8), "cross10": lambda: cross(10), "cross12": lambda: cross(12),
     "cube12": lambda: cube(12), "km16": lambda: klee_minty(16), "perm6": lambda: permutahedron(6), "perm7": lambda: permutahedron(7),
@@ -274,3 +345,13 @@ HELD_OUT = {
     "cyclic18-12": lambda: cyclic(18, 12, -9), "cyclic60-5": lambda: cyclic(60, 5, -30), "dualcyclic18-8": lambda: dual_cyclic(18, 8),
     "lattice60-7": lambda: lattice_points(60, 7, 3, 33), "lattice200-5": lambda: lattice_points(200, 5, 4, 34), "01-48-11": lambda: lattice_points(48, 11, 1, 35),
     "01-200-9": lambda: lattice_points(200, 9, 1, 36), "01-30-16": lambda: lattice_points(30, 16, 1, 37), "large30-5": lambda: large_numbers(30, 5, 30, 38)}
+
+UNSEEN = {
+    "trees5": lambda: spanning_trees(5), "matchings9": lambda: matchings(9, 15, 101), "matchings11": lambda: matchings(11, 18, 102),
+    "independent12": lambda: independent_sets(12, 30, 103), "independent10": lambda: independent_sets(10, 16, 104),
+    "associahedron7": lambda: associahedron(7), "associahedron8": lambda: associahedron(8),
+    "knapsack7": lambda: knapsack(7, 9, 105), "knapsack8": lambda: knapsack(8, 30, 106),
+    "pyramid3-6": lambda: pyramid(sphere(70, 6, 107), 3), "pyramid2-4": lambda: pyramid(gauss(400, 4, 108), 2),
+    "sums5": lambda: bounded_sums(120, 5, 109), "sums7": lambda: bounded_sums(40, 7, 110), "sums3": lambda: bounded_sums(1500, 3, 111),
+    "torus4": lambda: torus(300, 4, 112), "torus6": lambda: torus(90, 6, 113), "torus8": lambda: torus(40, 8, 114),
+    "rays5": lambda: rays_in_orthant(300, 5, 20, 115), "rays7": lambda: rays_in_orthant(70, 7, 9, 116), "rays9": lambda: rays_in_orthant(40, 9, 3, 117)}

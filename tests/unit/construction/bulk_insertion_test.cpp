@@ -101,6 +101,23 @@ TEST(BatchInsertion, ManyBatchesGiveWhatOneGives) {
   expect_consistent(triangulation, rows);
 }
 
+// Batches of up to a 1024th of the vertices go in one by one.
+TEST(BatchInsertion, SmallBatchesGiveWhatOneGives) {
+  Coordinates rows = make_point_set("uniform", 2, 5000, 1);
+  for (const double outside : {-3.0, 5.0, 1e200}) rows.insert(rows.end(), {outside, 0.5});
+  for (std::size_t i = 0; i < 40; ++i) rows.push_back(rows[300 * (i / 2 % 7) + i % 2]);
+  for (const double x : {0.25, 0.5, 0.25, 0.75, 0.5}) rows.insert(rows.end(), {x, 0.125});
+  Delaunay<> triangulation(2);
+  std::size_t done = 2 * 4900;
+  triangulation.insert_range(std::span(rows).first(done));
+  for (std::size_t size = 2; done < rows.size(); size = size % 8 + 2) {
+    const std::size_t count = std::min(size, rows.size() - done);
+    triangulation.insert_range(std::span(rows).subspan(done, count));
+    done += count;
+  }
+  expect_consistent(triangulation, rows);
+}
+
 TEST(BatchInsertion, PointsOfLittleWeightAreHidden) {
   // A square, its center too light; a heavy twin of a corner hides that; the center again is hidden, too.
   const Coordinates square{0, 0, 4, 0, 4, 4, 0, 4, 2, 2}, later{0, 0, 2, 2, 4, 4, 4, 0};
