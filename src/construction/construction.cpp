@@ -70,7 +70,7 @@ void Construction::insert(std::span<const double> coordinates, std::span<const d
                           const std::function<void()>& release) {
   const PointsView view(coordinates, state_.dimension());
   const bool is_shared = is_shared_on_record(view.size());
-  if (is_shared || is_small_on_record(view.size())) {
+  if (is_shared || is_small(view.size())) {
     edit({.insert = coordinates, .insert_weights = weights}, {.rebuilds = is_shared});
     if (release) release();
     return;
@@ -99,9 +99,10 @@ void Construction::insert(std::span<const double> coordinates, std::span<const d
   state_.statistics.build_seconds += stopwatch.seconds();
 }
 
-/// Whether a batch on record is so small that it should not cost what looks at all cells.
-bool Construction::is_small_on_record(std::size_t num_points) const {
-  return recording_.is_on() && state_.engine && num_points < state_.num_vertices / 64;
+/// Whether a batch is so small that it should not cost what looks at all cells. One by one, points take
+/// longer, so off record that pays for fewer of them.
+bool Construction::is_small(std::size_t num_points) const {
+  return state_.engine && num_points < state_.num_vertices / (recording_.is_on() ? 64 : 1024);
 }
 
 /// Whether a batch on record is for several threads. They cannot insert into cells that must keep their

@@ -62,7 +62,7 @@ class Construction {
 
  private:
   friend class Editing;
-  bool is_small_on_record(std::size_t num_points) const;
+  bool is_small(std::size_t num_points) const;
   bool is_shared_on_record(std::size_t num_points) const;
   void sort_cells_on_record();
   void note_all_visibility(std::span<const CellId> before);
