@@ -46,7 +46,7 @@ RULES = {
     "src/forecast": (PUBLIC, {"src/forecast/model", "src/complex", "src/engine", "src/messages", "src/base"}),
     "src/forecast/model": (BASICS, {"src/engine/wrap", "src/base"}),
     "src/queries": (PUBLIC, {"src/triangulation", "src/solve", "src/order", "src/kernel", "src/base"}),
-    "src/hull": (PUBLIC, {"src/complex", "src/compiled", "src/sites", "src/order", "src/kernel", "src/base"}),
+    "src/hull": (PUBLIC, {"src/complex", "src/compiled", "src/sites", "src/solve", "src/order", "src/kernel", "src/base"}),
     "src/hull/tolerance": (PUBLIC, {"src/hull", "src/compiled", "src/kernel", "src/base"}),
     "src/hull/products": (PUBLIC, {"src/hull", "src/hull/tolerance", "src/complex", "src/kernel", "src/base"}),
     "src/halfspaces": (PUBLIC, {"src/hull", "src/sites", "src/order", "src/solve", "src/kernel", "src/base"}),

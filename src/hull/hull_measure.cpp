@@ -6,6 +6,7 @@
 #include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
 #include "hull/hull_normal.hpp"
+#include "solve/outward_direction.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -147,34 +148,6 @@ double extent_of(const BoundarySites& sites) {
   return 1.01 * std::sqrt(square) + 1e-150;  // squares may underflow
 }
 
-/// A normal without an error bound, for flats and where elimination fails: the direction from the cell to a
-/// point inside, made orthogonal to the edges by Gram–Schmidt (two passes) and negated.
-void orthogonalize(const std::vector<const double*>& points, const double* inner, std::size_t d,
-                   double* normal) {
-  std::vector<std::vector<double>> basis;
-  const auto direction = [&](const double* x) {
-    std::vector<double> v(d);
-    double largest = 0;
-    for (std::size_t j = 0; j < d; ++j)
-      v[j] = x[j] / 2 - points[0][j] / 2, largest = std::max(largest, std::fabs(v[j]));
-    if (largest > 0)
-      for (double& t : v) t = std::ldexp(t, -std::ilogb(largest));
-    for (int pass = 0; pass < 2; ++pass)
-      for (const auto& b : basis) {
-        double dot = 0;
-        for (std::size_t j = 0; j < d; ++j) dot += b[j] * v[j];
-        for (std::size_t j = 0; j < d; ++j) v[j] -= dot * b[j];
-      }
-    double square = 0;
-    for (const double t : v) square += t * t;
-    for (double& t : v) t /= square > 0 ? std::sqrt(square) : 1.0;
-    return v;
-  };
-  for (std::size_t i = 1; i < points.size(); ++i) basis.push_back(direction(points[i]));
-  const std::vector<double> inwards = direction(inner);
-  for (std::size_t j = 0; j < d; ++j) normal[j] = 0.0 - inwards[j];
-}
-
 template <int D>
 void fill_equations(const BoundarySites& sites, const SimplicialHull& hull,
                     std::span<const Index> facet_of_cell,
@@ -193,18 +166,19 @@ void fill_equations(const BoundarySites& sites, const SimplicialHull& hull,
     if (measures != nullptr)
       measuring.add(hull.cell(c), points, is_known && measuring.needs_normals() ? &normal : nullptr);
     // Vectors N and N′ with |N − N′| ≤ e differ by at most 2e/|N| after normalization. Rounding the length
-    // and the quotients adds (k + 5)·u.
+    // and the quotients adds (k + 5)·u. Where elimination fails, the relative error is that of
+    // outward_direction(). Normals in a flat have no bound.
+    constexpr double of_direction = 1e-12;
+    const double relative = is_known ? 2 * normal.error() / normal.length() : of_direction;
     const double error =
-        is_known
-            ? 1.01 * (2 * normal.error() / normal.length() + static_cast<double>(k + 5) * 0x1p-53) * extent
-            : internal::infinity;
+        k == d ? 1.01 * (relative + static_cast<double>(k + 5) * 0x1p-53) * extent : internal::infinity;
     double* const equation = result.equations.data() + facet_of_cell[c] * (d + 1);
     double& best = result.errors[facet_of_cell[c]];
     if (best >= 0 && error >= best) continue;  // another cell of the facet is better
     if (is_known)
       for (std::size_t j = 0; j < d; ++j) equation[j] = normal.normal()[j] / normal.length();
     else
-      orthogonalize(points, inner(c), d, equation);
+      std::ranges::copy(solve::outward_direction(points, inner(c), d), equation);
     double offset = 0, magnitude = 0;
     for (std::size_t j = 0; j < d; ++j) {
       offset -= equation[j] * points[0][j];

@@ -26,7 +26,7 @@ template <class T>
 inline constexpr bool is_one_lane = std::is_same_v<T, double>;
 
 template <class V>
-concept Vector = requires {
+concept Vector = !std::is_arithmetic_v<V> && requires {
   typename hn::DFromV<V>;
 };
 
