@@ -26,7 +26,7 @@ template <class T>
 inline constexpr bool is_one_lane = std::is_same_v<T, double>;
 
 template <class V>
-concept Vector = !std::is_arithmetic_v<V> && requires {
+concept Vector = requires {
   typename hn::DFromV<V>;
 };
 
@@ -42,13 +42,39 @@ HWY_INLINE T number(double x) {
 template <class T>
 using Mask = decltype(std::declval<T>() < std::declval<T>());
 
-HWY_INLINE auto operator*(double a, Vector auto b) { return number<decltype(b)>(a) * b; }
-HWY_INLINE auto operator+(Vector auto a, double b) { return a + number<decltype(a)>(b); }
-HWY_INLINE auto operator<(Vector auto a, double b) { return a < number<decltype(a)>(b); }
-HWY_INLINE auto operator<=(Vector auto a, double b) { return a <= number<decltype(a)>(b); }
-HWY_INLINE auto operator>(Vector auto a, double b) { return a > number<decltype(a)>(b); }
-HWY_INLINE auto operator>=(Vector auto a, double b) { return a >= number<decltype(a)>(b); }
-HWY_INLINE auto operator==(Vector auto a, double b) { return a == number<decltype(a)>(b); }
+/// Keeps the operators below from being considered for two built-in numbers. A concept would be checked too
+/// late: clang 14 forms the operator first, and refuses one of two built-in numbers.
+template <class V>
+using IfVector = std::enable_if_t<!std::is_arithmetic_v<V>, hn::DFromV<V>>;
+
+template <class V, class = IfVector<V>>
+HWY_INLINE V operator*(double a, V b) {
+  return number<V>(a) * b;
+}
+template <class V, class = IfVector<V>>
+HWY_INLINE V operator+(V a, double b) {
+  return a + number<V>(b);
+}
+template <class V, class = IfVector<V>>
+HWY_INLINE auto operator<(V a, double b) {
+  return a < number<V>(b);
+}
+template <class V, class = IfVector<V>>
+HWY_INLINE auto operator<=(V a, double b) {
+  return a <= number<V>(b);
+}
+template <class V, class = IfVector<V>>
+HWY_INLINE auto operator>(V a, double b) {
+  return a > number<V>(b);
+}
+template <class V, class = IfVector<V>>
+HWY_INLINE auto operator>=(V a, double b) {
+  return a >= number<V>(b);
+}
+template <class V, class = IfVector<V>>
+HWY_INLINE auto operator==(V a, double b) {
+  return a == number<V>(b);
+}
 
 HWY_INLINE double minus(double x) { return -x; }
 HWY_INLINE double abs(double x) { return std::fabs(x); }
