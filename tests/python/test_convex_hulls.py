@@ -87,3 +87,11 @@ def test_a_sequence_has_slices_and_ends():
     assert hulls[-1].volume == hulls[2].volume
     with pytest.raises(IndexError, match="hull 3 of 3"):
         hulls[3]
+
+
+def test_normals_of_needles():
+    points = np.array([[2, 2, 2.22e-16], [0, 0, 1 + 2**-52], [2, 0, 0], [2, 2.22e-16, 0], [1, 2, 2.22e-16]])
+    for hull in (delone.convex_hulls([points]), delone.ConvexHull(points)):
+        np.testing.assert_allclose(np.linalg.norm(hull.equations[:, :3], axis=1), 1)
+        assert (hull.equations[:, :3] @ points.T + hull.equations[:, 3:]).max() < 1e-15
+    assert np.isfinite(delone.ConvexHull(points).equation_errors).all()
