@@ -4,8 +4,8 @@
 
 Usage: make_r_package.py [-o build/r] [--with-sources]
 
-With the sources of the library in src/delone the package is complete: it needs no installed libdelone_c, but cmake and the libraries that
-DESCRIPTION names. The version is that of CMakeLists.txt. R's `R CMD build` also makes the vignette, for which it installs the package: with
+With the sources of the library in src/delone.tar.gz the package is complete: it needs no installed libdelone_c, but cmake and the libraries
+that DESCRIPTION names. They are an archive because `R CMD build` leaves out folders named check. The version is that of CMakeLists.txt. R's `R CMD build` also makes the vignette, for which it installs the package: with
 a libdelone_c that pkg-config finds; --with-sources leaves the vignette out.
 """
 import argparse
@@ -15,6 +15,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tarfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SOURCES = ["CMakeLists.txt", "LICENSE", "THIRD_PARTY_LICENSES", "c", "cmake", "include", "src", "viewer/dist"]
@@ -42,8 +43,9 @@ def make(folder, with_sources=False):
     text = description.read_text(encoding="utf-8")
     description.write_text(re.sub(r"^Version: .*", f"Version: {version()}", text, flags=re.M), encoding="utf-8")
     if with_sources:
-        for name in SOURCES:
-            copy(ROOT / name, stage / "src" / "delone" / name)
+        with tarfile.open(stage / "src" / "delone.tar.gz", "w:gz") as archive:
+            for name in SOURCES:
+                archive.add(ROOT / name, f"delone/{name}")
     package = folder / f"delone_{version()}.tar.gz"
     package.unlink(missing_ok=True)
     command = ["R", "CMD", "build", *["--no-build-vignettes"] * with_sources, str(stage)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs the module, and beside it the library that configure has built of src/delone, if it has.
+# Installs the module, and beside it the library that configure has built of src/delone.tar.gz, if it has.
 to <- file.path(R_PACKAGE_DIR, paste0("libs", R_ARCH))
 dir.create(to, recursive = TRUE, showWarnings = FALSE)
 # The library by the name that the loader asks for.
