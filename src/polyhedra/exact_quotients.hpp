@@ -79,7 +79,7 @@ bool try_exact_quotients(const T* p, const T* n, kernel::Int128 at_p, kernel::In
   for (std::size_t i = 0; i < d; ++i) {
     kernel::Int128 quotient;
     if (!by.try_divide(sum_256(product_256(at_p, n[i]), product_256(at_n, p[i])), quotient)) return false;
-    if (quotient >= limit || -quotient >= limit) return false;
+    if (quotient >= limit || quotient <= -limit) return false;
     out[i] = static_cast<T>(quotient);
   }
   return true;

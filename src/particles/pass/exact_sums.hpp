@@ -58,7 +58,8 @@ inline double largest_magnitude(std::span<const double> terms) {
   return largest;
 }
 
-/// The sum. Terms are split in place.
+/// The sum, the same for any order of the terms: what is left of them after all levels is dropped. Terms are
+/// split in place.
 inline double exact_sum(std::span<double> terms) {
   double sum = 0;
   TermSplitter splitter(largest_magnitude(terms), terms.size());

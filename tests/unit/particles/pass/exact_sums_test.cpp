@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sums that do not depend on the order of their terms, and in lanes.
+// Exact sums give the same bits for every order of the terms, one by one and in SIMD lanes.
 #include "particles/pass/exact_sums.hpp"
 
 #include "particles/pass/pieces_kernel.hpp"
@@ -47,7 +47,7 @@ TEST(ExactSums, AnyOrder) {
   EXPECT_EQ(exact_sum(vast), 0x1p1000 + 0x1p999);
 }
 
-/// Columns in lanes have the same sums, and what is left after two levels is next to nothing.
+/// Sums of columns in SIMD lanes are those of single columns, and two levels leave only a tiny remainder.
 TEST(ExactSums, Lanes) {
   std::mt19937 random(2);
   for (const std::size_t count : {1, 5, 8, 9, 24, 700}) {
