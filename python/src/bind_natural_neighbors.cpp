@@ -133,7 +133,8 @@ class HeldNaturalInterpolator : public HeldFunction<NaturalNeighborInterpolator>
     if (given_gradients_.is_none()) return {};
     const auto d = static_cast<std::size_t>(triangulation().dimension());
     require_index(given_gradients_, triangulation().row_index(), "gradients");
-    const py::array array = own_copy(as_numbers(given_gradients_, "gradients"), "gradients");
+    const py::array array =
+        read_only_copy(as_numbers(given_gradients_, "gradients"), is_complex(), "gradients");
     given_gradients_ = array;
     if (std::vector<py::ssize_t>(array.shape(), array.shape() + array.ndim()) != shape_at_points())
       throw py::value_error("gradients: the shape of values followed by the dimension, not " +

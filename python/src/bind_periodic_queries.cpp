@@ -4,6 +4,7 @@
 #include "arrays.hpp"
 #include "docs_periodic.hpp"
 #include "docstring.hpp"
+#include "function_values.hpp"
 #include "held_periodic.hpp"
 #include "messages.hpp"
 #include "messages/in_quotes.hpp"
@@ -38,40 +39,39 @@ class HeldPeriodicFunction {
  public:
   HeldPeriodicFunction(const py::object& triangulation, const py::object& values, std::string outside,
                        const py::object& fill)
-      : name_of_outside_(std::move(outside)), outside_(periodic_outside_of(name_of_outside_)), fill_(fill) {
-    if (!py::isinstance<HeldPeriodic>(triangulation))
-      throw py::type_error("triangulation: a PeriodicDelaunay or PeriodicRegular, not " +
-                           type_name(triangulation));
-    source_ = triangulation;
-    const py::array given = as_numbers(values, "values");
-    is_complex_ = given.dtype().kind() == 'c';
-    require_fill();
-    const py::object copied = is_complex_ ? py::object(given.attr("astype")("complex128", "order"_a = "C"))
-                                          : as_doubles(given, "values").attr("copy")("order"_a = "C");
-    copied.attr("flags").attr("writeable") = false;
-    values_ = copied;
+      : name_of_outside_(std::move(outside)),
+        outside_(periodic_outside_of(name_of_outside_)),
+        source_(checked(triangulation)),
+        values_(values, fill, outside_, name_of_outside_) {
     const auto n = static_cast<py::ssize_t>(held().get().num_points());
-    if (values_.ndim() < 1 || values_.shape(0) != n)
+    if (this->values().shape(0) != n)
       throw py::value_error("values: a row for each of " + std::to_string(n) +
-                            " points, not an array of shape " + shown(values_.attr("shape")));
-    parts_ = is_complex_ ? 2 : 1;
-    for (py::ssize_t axis = 1; axis < values_.ndim(); ++axis)
-      parts_ *= static_cast<std::size_t>(values_.shape(axis));
-    const std::span<const double> numbers{static_cast<const double*>(values_.data()),
-                                          static_cast<std::size_t>(n) * parts_};
+                            " points, not an array of shape " + shown(this->values().attr("shape")));
     held().ask([&](const PeriodicTriangulation& t) {
-      function_ = std::make_unique<Function>(t, numbers, parts_);
+      function_ = std::make_unique<Function>(t, values_.numbers(), values_.num_parts());
       return true;
     });
   }
 
   py::object evaluate(const py::object& object) const {
     const Queries queries(object, held().dimension());
-    return is_complex_ ? evaluate_as<std::complex<double>>(queries) : evaluate_as<double>(queries);
+    return values_.evaluate(queries, [&](std::span<double> out, std::span<const double> constants) {
+      held().ask([&, x = queries.coordinates()](const PeriodicTriangulation&) {
+        function_->evaluate(x, out, {.outside = outside_, .fill = constants}, {.threads = held().threads()});
+        return true;
+      });
+    });
   }
   py::array gradient(const py::object& object) const {
     const Queries queries(object, held().dimension());
-    return is_complex_ ? gradient_as<std::complex<double>>(queries) : gradient_as<double>(queries);
+    auto shape = values_.shape_of(queries);
+    shape.push_back(held().dimension());
+    std::vector<double> parts(queries.coordinates().size() * values_.num_parts());
+    held().ask([&, x = queries.coordinates()](const PeriodicTriangulation&) {
+      function_->gradients(x, parts, {.outside = outside_}, {.threads = held().threads()});
+      return true;
+    });
+    return values_.gradients_of_parts(parts, shape, static_cast<std::size_t>(held().dimension()));
   }
   py::tuple natural_neighbors(const py::object& object) const {
     const Queries queries(object, held().dimension());
@@ -88,76 +88,27 @@ class HeldPeriodicFunction {
   }
 
   const py::object& source() const { return source_; }
-  const py::array& values() const { return values_; }
-  py::tuple state() const { return py::make_tuple(source_, values_, name_of_outside_, fill_); }
+  const py::array& values() const { return values_.array(); }
+  py::tuple state() const { return py::make_tuple(source_, values(), name_of_outside_, values_.fill()); }
   std::string repr(const char* name) const {
-    return std::string("<delone.") + name + ": values " + std::string(py::str(values_.dtype())) + " " +
-           std::string(py::str(values_.attr("shape"))) + " on " + std::string(py::repr(source_)) + ">";
+    return std::string("<delone.") + name + ": values " + std::string(py::str(values().dtype())) + " " +
+           std::string(py::str(values().attr("shape"))) + " on " + std::string(py::repr(source_)) + ">";
   }
 
  private:
   const HeldPeriodic& held() const { return source_.cast<const HeldPeriodic&>(); }
 
-  void require_fill() const {
-    const Py_complex number = PyComplex_AsCComplex(fill_.ptr());
-    if (PyErr_Occurred() != nullptr || (!is_complex_ && PyComplex_Check(fill_.ptr()) != 0)) {
-      PyErr_Clear();
-      throw py::type_error("fill_value: a " + std::string(is_complex_ ? "" : "real ") + "number, not " +
-                           represented(fill_));
-    }
-    if (outside_ != Outside::fill && !std::isnan(number.real))
-      throw py::value_error("fill_value: only with outside='fill', not with " +
-                            messages::in_quotes(name_of_outside_));
-  }
-
-  std::vector<py::ssize_t> shape_of(const Queries& queries) const {
-    const auto like = queries.answers<char>();
-    std::vector<py::ssize_t> shape(like.shape(), like.shape() + like.ndim());
-    shape.insert(shape.end(), values_.shape() + 1, values_.shape() + values_.ndim());
-    return shape;
-  }
-
-  template <class T>
-  py::object evaluate_as(const Queries& queries) const {
-    py::array_t<T> result(shape_of(queries));
-    const std::span<double> out{reinterpret_cast<double*>(result.mutable_data()), queries.size() * parts_};
-    const auto fill = fill_.cast<T>();
-    std::vector<double> constants(parts_);
-    for (std::size_t i = 0; i < parts_; i += sizeof(T) / sizeof(double))
-      std::memcpy(constants.data() + i, &fill, sizeof(T));
-    held().ask([&, x = queries.coordinates()](const PeriodicTriangulation&) {
-      function_->evaluate(x, out, {.outside = outside_, .fill = constants}, {.threads = held().threads()});
-      return true;
-    });
-    return Queries::scalar_if_single(result);
-  }
-
-  template <class T>
-  py::array gradient_as(const Queries& queries) const {
-    const auto d = static_cast<std::size_t>(held().dimension());
-    auto shape = shape_of(queries);
-    shape.push_back(held().dimension());
-    py::array_t<T> result(shape);
-    std::vector<double> gradients(queries.coordinates().size() * parts_);
-    held().ask([&, x = queries.coordinates()](const PeriodicTriangulation&) {
-      function_->gradients(x, gradients, {.outside = outside_}, {.threads = held().threads()});
-      return true;
-    });
-    T* const out = result.mutable_data();
-    if constexpr (std::is_same_v<T, double>)
-      std::copy(gradients.begin(), gradients.end(), out);
-    else  // those of real and imaginary parts one after the other
-      for (std::size_t i = 0; i < gradients.size() / 2; ++i)
-        out[i] = {gradients[i / d * 2 * d + i % d], gradients[(i / d * 2 + 1) * d + i % d]};
-    return result;
+  static const py::object& checked(const py::object& triangulation) {
+    if (!py::isinstance<HeldPeriodic>(triangulation))
+      throw py::type_error("triangulation: a PeriodicDelaunay or PeriodicRegular, not " +
+                           type_name(triangulation));
+    return triangulation;
   }
 
   std::string name_of_outside_;
   Outside outside_;
-  py::object fill_, source_;
-  py::array values_;
-  bool is_complex_ = false;
-  std::size_t parts_ = 1;
+  py::object source_;
+  FunctionValues values_;
   std::unique_ptr<Function> function_;
 };
 
