@@ -67,19 +67,19 @@ void join_lists(std::span<NeighborLists> parts, bool have_edges, bool have_verti
                       [&](std::size_t part, std::size_t, const internal::StopPoint& stop) {
                         stop();
                         NeighborLists& lists = parts[part];
-                        std::size_t from = 0;
+                        const ListedNeighbor* neighbor = lists.neighbors.data();
+                        const std::int32_t* lattice = lists.lattice.data();
                         for (std::size_t i = 0; i < lists.rows.size(); ++i) {
                           const auto to = static_cast<std::size_t>(offsets[lists.rows[i]]);
                           const std::size_t length = lists.lengths[i];
-                          const auto copy = [&](const auto& items, auto& all, std::size_t width = 1) {
-                            std::copy_n(items.data() + from * width, length * width, all.data() + to * width);
-                          };
-                          copy(lists.neighbors, cells.neighbors);
-                          copy(lists.areas, cells.face_areas);
-                          copy(lists.distances, cells.distances);
-                          if (have_edges) copy(lists.num_edges, cells.num_edges);
-                          copy(lists.lattice, cells.neighbor_lattice, rank);
-                          from += length;
+                          for (std::size_t at = to; at < to + length; ++at, ++neighbor) {
+                            cells.neighbors[at] = neighbor->row;
+                            cells.face_areas[at] = neighbor->area;
+                            cells.distances[at] = neighbor->distance;
+                            if (have_edges) cells.num_edges[at] = neighbor->num_edges;
+                          }
+                          std::copy_n(lattice, length * rank, cells.neighbor_lattice.data() + to * rank);
+                          lattice += length * rank;
                         }
                         lists = {};
                       });

@@ -12,12 +12,17 @@
 
 namespace delone::particles {
 
+struct ListedNeighbor {
+  SignedIndex row;        ///< −1 for a wall
+  SignedIndex num_edges;  ///< of the face, in three dimensions
+  double area, distance;
+};
+
 /// The lists of some sites, one after the other.
 struct NeighborLists {
   std::vector<Index> rows;             ///< the sites
   std::vector<std::uint32_t> lengths;  ///< by site
-  std::vector<SignedIndex> neighbors, num_edges;
-  std::vector<double> areas, distances;
+  std::vector<ListedNeighbor> neighbors;
   std::vector<std::int32_t> lattice;  ///< `rank` numbers for each neighbor
   // If vertices are wanted.
   std::vector<std::uint32_t> num_vertices;  ///< by site

@@ -25,6 +25,8 @@ class NeighborOrder {
   }
 
  private:
+  void order_images(std::size_t rank);
+
   std::vector<Index> rows_;
   std::vector<std::uint32_t> order_;
   std::vector<std::int32_t> offsets_;

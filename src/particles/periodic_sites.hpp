@@ -39,7 +39,10 @@ class PeriodicSites {
   const double* given_point(std::size_t row) const { return given_.data() + row * set_.dimension; }
   /// The volume of something of so many dimensions in numbers of the caller.
   double outer(double volume, std::size_t dimension) const {
-    if (set_.unit == 0) return std::ldexp(volume, set_.scale * static_cast<int>(dimension));
+    if (set_.unit == 0) {
+      if (set_.scale == 0) return volume;
+      return std::ldexp(volume, set_.scale * static_cast<int>(dimension));
+    }
     for (std::size_t j = 0; j < dimension; ++j) volume *= set_.unit;
     return volume;
   }

@@ -261,19 +261,19 @@ void SiteCellsMaker::list_neighbors(Worker& worker, NeighborLists& lists) {
   for (std::size_t i = 0; i < star.neighbors().size(); ++i) {
     if (worker.faces && !worker.faces->is_proper(i)) continue;
     const bool is_unbounded = star.is_at_infinity(i) && k_ > 1;
-    lists.neighbors.push_back(static_cast<SignedIndex>(row_of_vertex_[star.neighbors()[i]]));
-    lists.areas.push_back(is_unbounded ? infinity : outer(measure.areas()[i], k_ - 1));
-    lists.distances.push_back(outer(measure.distances()[i], 1));
+    ListedNeighbor listed{static_cast<SignedIndex>(row_of_vertex_[star.neighbors()[i]]), 0,
+                          is_unbounded ? infinity : outer(measure.areas()[i], k_ - 1),
+                          outer(measure.distances()[i], 1)};
+    if (k_ == 3)
+      listed.num_edges = static_cast<SignedIndex>(
+          (worker.faces ? worker.faces->num_classes(i) : worker.num_at_edges[i]) + (is_unbounded ? 1 : 0));
+    lists.neighbors.push_back(listed);
     if (worker.polygons) {
       const std::span<const SignedIndex> face = worker.polygons->face(i);
       lists.face_lengths.push_back(static_cast<std::uint32_t>(face.size()));
       lists.face_vertices.insert(lists.face_vertices.end(), face.begin(), face.end());
     }
-    const auto of_neighbor = worker.neighbor_order.offsets(i, rank);
-    lists.lattice.insert(lists.lattice.end(), of_neighbor.begin(), of_neighbor.end());
-    if (k_ == 3)
-      lists.num_edges.push_back(static_cast<SignedIndex>(
-          (worker.faces ? worker.faces->num_classes(i) : worker.num_at_edges[i]) + (is_unbounded ? 1 : 0)));
+    for (const std::int32_t k : worker.neighbor_order.offsets(i, rank)) lists.lattice.push_back(k);
   }
 }
 
@@ -298,10 +298,9 @@ void SiteCellsMaker::clip(Index v, std::span<const Index> neighbors, CellClipper
   std::sort(order.begin(), order.end());
   lists.begin(row, order.size());
   for (const auto& [other, i] : order) {
-    lists.neighbors.push_back(other == invalid_index ? -1 : static_cast<SignedIndex>(other));
-    lists.areas.push_back(faces[i].area);
-    lists.distances.push_back(faces[i].distance);
-    if (d_ == 3) lists.num_edges.push_back(static_cast<SignedIndex>(faces[i].num_corners));
+    lists.neighbors.push_back({other == invalid_index ? -1 : static_cast<SignedIndex>(other),
+                               d_ == 3 ? static_cast<SignedIndex>(faces[i].num_corners) : 0, faces[i].area,
+                               faces[i].distance});
   }
 }
 

@@ -42,8 +42,16 @@ void Images::make_pages() {
   std::vector<double> records;
   records.reserve(n * (width + 1));
   largest_weight_ = -std::numeric_limits<double>::infinity();
-  std::uint32_t heaviest = 0;
+  std::uint32_t heaviest = 0, middle = 0;
+  double least_off = std::numeric_limits<double>::infinity();
   for (std::size_t row = 0; row < n; ++row) {
+    double off = 0;  // from the middle of the box
+    for (std::size_t i = 0; i < set_.rank; ++i)
+      off = std::max(off, std::abs(set_.period.fraction(i, set_.row(row)) - 0.5));
+    if (off < least_off) {
+      least_off = off;
+      middle = static_cast<std::uint32_t>(row);
+    }
     records.insert(records.end(), set_.row(row), set_.row(row) + width);
     records.push_back(tiles::coded_row(static_cast<std::int64_t>(row)));
     if (!set_.weighted) continue;
@@ -54,7 +62,8 @@ void Images::make_pages() {
       heaviest = static_cast<std::uint32_t>(row);
     }
   }
-  extreme_.push_back(heaviest);
+  extreme_.push_back(middle);
+  if (set_.weighted) extreme_.push_back(heaviest);
   tiles::order_pages(records, tiles::points_per_page(n), table_);
   const double* record = records.data();
   for (std::size_t page = 0; page < table_.num_pages(); ++page) {

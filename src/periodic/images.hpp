@@ -66,7 +66,9 @@ class Images {
   }
 
   /// Far images around the box, so that every point of the set is in the interior of the convex hull of all
-  /// that is along the lattice: about a heaviest point, and the extreme ones in free directions.
+  /// that is along the lattice: about a heaviest point, and the extreme ones in free directions. Those about
+  /// a point in the middle are around the images that are found later, too. An image outside of the box of
+  /// all earlier ones is dear: all functionals are computed anew.
   std::vector<Image> frame();
   /// The images of a page that are nearer to the box than about `width` times the distance of neighbors on
   /// that page. They are known from here on.
@@ -111,7 +113,8 @@ class Images {
   std::vector<double> known_below_, known_above_, fraction_slack_;
   std::vector<double> along_, along_low_, along_high_;
   std::vector<double> free_, low_, high_;
-  std::vector<std::uint32_t> extreme_;  // rows: a heaviest one, and two for each free direction
+  std::vector<std::uint32_t>
+      extreme_;  // rows: one in the middle, a heaviest one, and two for each free direction
 };
 
 }  // namespace delone::periodic
