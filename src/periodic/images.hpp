@@ -113,8 +113,7 @@ class Images {
   std::vector<double> known_below_, known_above_, fraction_slack_;
   std::vector<double> along_, along_low_, along_high_;
   std::vector<double> free_, low_, high_;
-  std::vector<std::uint32_t>
-      extreme_;  // rows: one in the middle, a heaviest one, and two for each free direction
+  std::vector<std::uint32_t> extreme_;  // rows: a middle one, a heaviest one, two for each free direction
 };
 
 }  // namespace delone::periodic
