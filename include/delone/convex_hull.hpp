@@ -20,6 +20,16 @@
 
 namespace delone {
 
+/// The simplices of the boundary of a convex hull, and its vertices: members of HullData.
+struct DELONE_EXPORT_TYPE HullCells {
+  int affine_dimension = -1;  ///< k
+  std::vector<SignedIndex> cells, neighbors, vertices;
+
+  std::size_t num_cells() const {
+    return affine_dimension < 1 ? 0 : cells.size() / static_cast<std::size_t>(affine_dimension);
+  }
+};
+
 /// Where a point lies with respect to a hull, decided exactly.
 struct Containment {
   enum class Kind {
@@ -85,6 +95,8 @@ class DELONE_EXPORT ConvexHullBase {
   /// differs from that of the row, evaluated without error, by at most the entry of `equation_errors`. For k
   /// < d the normals are parallel to the flat and the errors infinite.
   const HullData& data() const;
+  /// Some of these arrays, made at each call. Costs less than data() the first time.
+  HullCells to_cells() const;
   /// A copy of data(), with the points.
   HullData to_data(bool with_points = true) const;
 

@@ -40,6 +40,8 @@ class DELONE_EXPORT HalfspaceIntersectionBase {
 
   /// The arrays, without `halfspaces`; computed on first use after a change, valid until the next one.
   const IntersectionData& data() const;
+  /// The same arrays, valid while the pointer is kept; no later change of this object changes them.
+  std::shared_ptr<const IntersectionData> shared_data() const;
   /// A copy of data(), with the halfspaces.
   IntersectionData to_data() const;
 

@@ -59,10 +59,15 @@ py::ssize_t find_inexact(const py::array& array) {
   return -1;
 }
 
-/// Whether the object is an array, of no subclass, that is C-contiguous and aligned float64 with an axis.
-bool is_plain(const py::object& object) {
+/// Whether the object is an array, of no subclass.
+bool is_array(const py::object& object) {
   const auto& api = py::detail::npy_api::get();
-  if (static_cast<void*>(Py_TYPE(object.ptr())) != static_cast<void*>(api.PyArray_Type_)) return false;
+  return static_cast<void*>(Py_TYPE(object.ptr())) == static_cast<void*>(api.PyArray_Type_);
+}
+
+/// Whether it is an array, of no subclass, that is C-contiguous and aligned float64 with an axis.
+bool is_plain(const py::object& object) {
+  if (!is_array(object)) return false;
   if (!py::array_t<double, py::array::c_style>::check_(object)) return false;
   const auto array = py::reinterpret_borrow<py::array>(object);
   return array.ndim() > 0 && (array.flags() & py::detail::npy_api::NPY_ARRAY_ALIGNED_) != 0;
@@ -122,8 +127,10 @@ void refuse_rounded(const py::object& object, const py::array& converted, const 
 
 /// pandas is never imported for this: whoever has a DataFrame or a Series has imported it.
 bool is_of_pandas(const py::object& object, const char* type_name) {
+  if (is_array(object)) return false;
   const py::object modules = py::module_::import("sys").attr("modules");
   const py::object pandas = modules.attr("get")("pandas");
+  if (pandas.is_none()) return false;
   const py::object type = py::getattr(pandas, type_name, py::none());
   return !type.is_none() && py::isinstance(object, type);
 }
@@ -269,8 +276,9 @@ std::string place_in(const std::string& list, std::size_t size, std::size_t plac
 
 Tolerances as_tolerances(const py::object& object, int dimension) {
   Tolerances result;
-  const bool is_list = !py::isinstance<py::str>(object) && !py::isinstance<py::bytes>(object) &&
-                       (py::isinstance<py::sequence>(object) || py::hasattr(object, "__array__"));
+  const bool is_list =
+      is_array(object) || (!py::isinstance<py::str>(object) && !py::isinstance<py::bytes>(object) &&
+                           (py::isinstance<py::sequence>(object) || py::hasattr(object, "__array__")));
   const auto array = is_list ? as_doubles(object, "tolerance") : py::array_t<double>(0);
   if (is_list && array.ndim() > 0) {
     if (array.ndim() != 1 || array.shape(0) != dimension)
@@ -343,6 +351,17 @@ Queries::Queries(const py::object& object, int dimension, const py::object& colu
                           shown(array_.attr("shape")));
   shape_.assign(array_.shape(), array_.shape() + array_.ndim() - 1);
   size_ = static_cast<std::size_t>(array_.size()) / static_cast<std::size_t>(dimension);
+}
+
+std::span<const double> as_vector(const py::object& object, int dimension) {
+  if (!is_plain(object)) return {};
+  const auto* const array = py::detail::array_proxy(object.ptr());
+  if (array->nd != 1 || array->dimensions[0] != dimension) return {};
+  const std::span<const double> all(reinterpret_cast<const double*>(array->data),
+                                    static_cast<std::size_t>(dimension));
+  return std::all_of(all.begin(), all.end(), [](double x) { return std::isfinite(x); })
+             ? all
+             : std::span<const double>();
 }
 
 std::optional<Box> as_box(const py::object& object) {

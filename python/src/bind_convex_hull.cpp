@@ -56,6 +56,7 @@ class HeldHull {
       hull_.insert_range(x);
       if (!x.empty()) batches_.push_back(x.size() / static_cast<std::size_t>(dimension()));
       data_.reset();
+      cells_.reset();
     });
     if (rows.shape(0) > 0) index_ = py::none();
   }
@@ -78,6 +79,14 @@ class HeldHull {
       return data_;
     });
   }
+  /// Those of them that cost little. Later insertions do not change them.
+  std::shared_ptr<const HullCells> cells() const {
+    return ask([this](const ConvexHullBase& hull) {
+      const std::lock_guard lock(data_mutex_);
+      if (!cells_) cells_ = std::make_shared<const HullCells>(hull.to_cells());
+      return cells_;
+    });
+  }
   std::vector<std::size_t> batches() const {
     return ask([this](const ConvexHullBase&) { return batches_; });
   }
@@ -94,8 +103,9 @@ class HeldHull {
   Guard guard_;  // of all members below
   ConvexHull<> hull_;
   std::vector<std::size_t> batches_;
-  mutable std::mutex data_mutex_;  // of data_, under the guard
+  mutable std::mutex data_mutex_;  // of what follows, under the guard
   mutable std::shared_ptr<const HullData> data_;
+  mutable std::shared_ptr<const HullCells> cells_;
 };
 
 std::unique_ptr<HeldHull> construct(const py::object& points, const py::object& tolerance, std::uint64_t seed,
@@ -128,7 +138,8 @@ py::tuple of_extreme_points(const py::object& points, const py::object& toleranc
   return py::make_tuple(py::cast(std::move(held)), which);
 }
 
-std::size_t width(const HullData& data) {
+template <class Data>
+std::size_t width(const Data& data) {
   return static_cast<std::size_t>(std::max(data.affine_dimension, 0));
 }
 
@@ -342,21 +353,26 @@ void bind_convex_hull(py::module_& module) {
       .def_property_readonly(
           "cells",
           [](const HeldHull& h) {
-            const auto data = h.data();
-            return rows_view(data->cells, data->num_cells(), width(*data), data);
+            const auto all = h.cells();
+            return rows_view(all->cells, all->num_cells(), width(*all), all);
           },
           text(docs::convex_hull::cells))
       .def_property_readonly(
           "neighbors",
           [](const HeldHull& h) {
-            const auto data = h.data();
-            return rows_view(data->neighbors, data->num_cells(), width(*data), data);
+            const auto all = h.cells();
+            return rows_view(all->neighbors, all->num_cells(), width(*all), all);
           },
           "The neighbors of each cell, (m, k) cells: number j is across the ridge opposite vertex j.")
       .def_property_readonly("facet_of_cell", &list_of<&HullData::facet_of_cell>,
                              "The facet of each cell, (m,).")
-      .def_property_readonly("vertices", &list_of<&HullData::vertices>,
-                             "The rows of the extreme points, increasing; of equal rows the first.")
+      .def_property_readonly(
+          "vertices",
+          [](const HeldHull& h) {
+            const auto all = h.cells();
+            return list_view(all->vertices, all);
+          },
+          "The rows of the extreme points, increasing; of equal rows the first.")
       .def_property_readonly("vertex_of_point", &list_of<&HullData::vertex_of_point>,
                              "The first row that is equal to each row, (n,).")
       .def_property_readonly(

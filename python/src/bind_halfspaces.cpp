@@ -77,17 +77,28 @@ class HeldIntersection {
     require_columns(halfspaces, columns_, "halfspaces");
     guard_.change(progress, [&, h = numbers(rows)] {
       intersection_->insert_range(h);
-      data_.reset();
+      halfspaces_.reset();
     });
   }
 
-  /// The arrays. Later insertions do not change them.
+  /// The arrays, without the halfspaces. Later insertions do not change them.
   std::shared_ptr<const IntersectionData> data() const {
-    return ask([this](const HalfspaceIntersectionBase& intersection) {
-      const std::lock_guard lock(data_mutex_);
-      if (!data_) data_ = std::make_shared<const IntersectionData>(intersection.to_data());
-      return data_;
+    return ask([](const HalfspaceIntersectionBase& intersection) { return intersection.shared_data(); });
+  }
+  /// A copy of all arrays.
+  IntersectionData to_data() const {
+    return ask([](const HalfspaceIntersectionBase& intersection) { return intersection.to_data(); });
+  }
+  /// The halfspaces, a view of what is copied on first use after a change.
+  py::array halfspaces() const {
+    const auto rows = ask([this](const HalfspaceIntersectionBase& intersection) {
+      const std::lock_guard lock(halfspaces_mutex_);
+      if (!halfspaces_)
+        halfspaces_ = std::make_shared<const std::vector<double>>(intersection.to_data().halfspaces);
+      return halfspaces_;
     });
+    const auto width = static_cast<std::size_t>(dimension_) + 1;
+    return rows_view(*rows, rows->size() / width, width, rows);
   }
 
  private:
@@ -103,8 +114,8 @@ class HeldIntersection {
   bool has_interior_ = false;
   Guard guard_;  // of all members below
   std::optional<HalfspaceIntersection<>> intersection_;
-  mutable std::mutex data_mutex_;  // of data_, under the guard
-  mutable std::shared_ptr<const IntersectionData> data_;
+  mutable std::mutex halfspaces_mutex_;  // of halfspaces_, under the guard
+  mutable std::shared_ptr<const std::vector<double>> halfspaces_;
 };
 
 /// Rows of d + extra numbers.
@@ -173,7 +184,7 @@ py::tuple sample(const HeldIntersection& held, std::size_t limit) {
 
 py::tuple state_of_intersection(const HeldIntersection& held) {
   const BuildArguments& a = held.arguments();
-  return py::make_tuple(rows_of<&IntersectionData::halfspaces, 1>(held),
+  return py::make_tuple(held.halfspaces(),
                         held.has_interior_point() ? py::object(interior_point(held)) : py::none(), a.seed,
                         a.order, a.threads, held.columns());
 }
@@ -237,7 +248,7 @@ void bind_halfspaces(py::module_& module) {
       .def_property_readonly("columns", &HeldIntersection::columns,
                              "The labels of the columns of the DataFrame it was made of, d+1 in a tuple, or "
                              "None; see `Delaunay.columns`.")
-      .def_property_readonly("halfspaces", &rows_of<&Data::halfspaces, 1>,
+      .def_property_readonly("halfspaces", &HeldIntersection::halfspaces,
                              "All input rows in their order, (m, d+1) float64.")
       .def_property_readonly(
           "interior_point", &interior_point,
@@ -299,18 +310,16 @@ void bind_halfspaces(py::module_& module) {
             return as_dict(h.ask([](const HalfspaceIntersectionBase& i) { return i.statistics(); }));
           },
           text(docs::halfspaces::statistics))
-      .def("_data",
-           [](const HeldIntersection& h) {
-             return to_python(h.ask([](const HalfspaceIntersectionBase& p) { return p.to_data(); }));
-           })
+      .def("_data", [](const HeldIntersection& h) { return to_python(h.to_data()); })
       .def("__repr__", &repr)
       .def(py::pickle(&state_of_intersection, &restored_intersection));
   define_save(type, [](const HeldIntersection& held, const SaveArguments& to) {
     held.ask([&](const HalfspaceIntersectionBase& p) { to.save(p, [&] { return p.to_data(); }); });
   });
   define_to_polyhedron(type, text(docs::polyhedra::of_intersection));
-  define_to_html(
-      type, [](const HeldIntersection& h, const HtmlOptions& options) { return html_of(h.data(), options); });
+  define_to_html(type, [](const HeldIntersection& h, const HtmlOptions& options) {
+    return html_of(std::make_shared<const IntersectionData>(h.to_data()), options);
+  });
 }
 
 }  // namespace delone::python

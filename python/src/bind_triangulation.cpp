@@ -134,6 +134,21 @@ py::object find_simplices(const Held& held, const py::object& object, double tol
   return Queries::scalar_if_single(cells);
 }
 
+/// The cell of one query, an array as as_vector() has them; −1 outside; −2 for anything else.
+SignedIndex find_one(const Held& held, const py::object& object) {
+  const std::span<const double> query = as_vector(object, held.dimension());
+  if (query.empty()) return -2;
+  SignedIndex cell = -1;
+  Supervisor supervisor;
+  supervisor.run([&] {
+    held.with_locator([&](const Triangulation&, const PointLocator& locator, const Cells& cells) {
+      locator.locate(query, LocateOptions{.coordinates = false}, cells.numbers, {.cells = {&cell, 1}},
+                     {.threads = 1});
+    });
+  });
+  return cell;
+}
+
 py::object locate(const Held& held, const py::object& object, double tolerance) {
   const Queries queries(object, held);
   const LocateOptions options{.tolerance = tolerance};
@@ -419,6 +434,7 @@ void bind_triangulations(py::module_& module) {
       .def_property_readonly("columns", &Held::columns, text(docs::triangulation::columns))
       .def_property_readonly("_index", &Held::row_index)
       .def("_sample", &sample, "limit"_a)
+      .def("_find_one", &find_one, "query"_a)
       .def("_find_accepting", &find_accepting, "queries"_a, "transform"_a, "neighbors"_a, "tolerance"_a,
            "broad"_a, "radius"_a)
       .def("nearest", &nearest, "queries"_a, "k"_a = py::none(), text(docs::triangulation::nearest))

@@ -24,9 +24,10 @@ class FairMutex {
   void unlock() { mutex_.unlock(); }
 
   void lock_shared() {
-    wait([&] { return turn_.try_lock_for(pause); });
+    if (!turn_.try_lock())
+      wait([&] { return turn_.try_lock_for(pause); });  // the clock is read for waits alone
     const std::lock_guard turn(turn_, std::adopt_lock);
-    wait([&] { return mutex_.try_lock_shared_for(pause); });
+    if (!mutex_.try_lock_shared()) wait([&] { return mutex_.try_lock_shared_for(pause); });
   }
   void unlock_shared() { mutex_.unlock_shared(); }
 

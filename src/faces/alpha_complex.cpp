@@ -13,6 +13,7 @@
 #include "faces/face_rows.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -50,6 +51,7 @@ struct AlphaComplex::Impl {
   // of Orthospheres::Answer::beyond above those of its state, which then is `out_with_bits`.
   enum : unsigned char { none, out, in, out_with_bits };
   static constexpr int bits_of_state = 2;
+  static constexpr unsigned mask_of_state = (1U << bits_of_state) - 1;
   static_assert(internal::most_orthosphere_edges + 1 + bits_of_state <= 8);
   std::vector<unsigned char> states;
   std::vector<SignedIndex> cells, boundary, boundary_cells, singular;
@@ -102,7 +104,7 @@ void AlphaComplex::Impl::find_cells(unsigned threads) {
 AlphaComplex::Impl::Conflict AlphaComplex::Impl::known_conflict(CellId cell, int apex) const {
   const unsigned state = states[index(cell)];
   if (state == none) return Conflict::no;
-  if ((state & ((1U << bits_of_state) - 1)) != out_with_bits) return Conflict::unknown;
+  if ((state & mask_of_state) != out_with_bits) return Conflict::unknown;
   return (state >> (apex + bits_of_state) & 1) != 0 ? Conflict::yes : Conflict::no;
 }
 
@@ -165,19 +167,27 @@ void AlphaComplex::Impl::find_boundary(unsigned threads) {
         if (states[slot] == none) continue;
         const SignedIndex number = to.num_cells++;
         if (states[slot] == in) to.cells.push_back(number);
+        // The facets to look at, without a branch that depends on the states.
+        const unsigned own = states[slot];
+        std::uint64_t wanted = 0;
         for (int i = 0; i <= k && k > 0; ++i) {
           const CellId across = complex.neighbor(c, i);
-          const unsigned char state = states[index(across)];
-          if (state == in) continue;
-          if (states[slot] == in) {
+          const unsigned state = states[index(across)];
+          const bool is_seen_from_here = (own == in) | (c < across) | (state == none);
+          wanted |= static_cast<std::uint64_t>((state != in) & is_seen_from_here) << i;
+        }
+        // Those that are in conflict with the opposite vertex of this cell, see known_conflict().
+        if ((own & mask_of_state) == out_with_bits) wanted &= ~std::uint64_t{own >> bits_of_state};
+        for (; wanted != 0; wanted &= wanted - 1) {
+          const int i = std::countr_zero(wanted);
+          if (own == in) {
             const std::size_t begin = to.boundary.size();
             for (int m = 0; m <= k; ++m)
               if (m != i) to.boundary.push_back(row(c, m));
             // A point inside put first takes i transpositions to its place in the cell.
             if (i % 2 == 1 && k > 1) std::swap(to.boundary[begin], to.boundary[begin + 1]);
             to.boundary_cells.push_back(number);
-          } else if (c < across || state == none) {
-            if (known_conflict(c, i) == Conflict::yes) continue;
+          } else {
             for (int m = 0; m <= k; ++m)
               if (m != i) of_block.push_back(points.point(index(complex.vertex(c, m))));
             facets[count++] = {c, i};

@@ -5,6 +5,7 @@
 
 #include "kernel/fractions.hpp"
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -31,5 +32,9 @@ std::vector<kernel::Integer> integer_row(const double* row, std::size_t size);
 /// axis. The sum of both is off by at most 2⁻⁶⁸ of the exact coordinate, barring underflow, and infinite
 /// beyond the range of doubles. Computed in pairs of doubles if cancellation allows, otherwise in integers.
 void dual_point(const double* row, const InteriorPoint& p, std::span<const int> axes, double* dual);
+
+/// The same for many rows, one after the other: blocks of them by SIMD, one row per lane.
+void dual_points(const double* rows, std::size_t count, const InteriorPoint& p, std::span<const int> axes,
+                 double* duals);
 
 }  // namespace delone::halfspaces

@@ -12,6 +12,7 @@
 #include "halfspaces/interior_point.hpp"
 #include "halfspaces/intersection_arrays.hpp"
 #include "halfspaces/sites_to_insert.hpp"
+#include "kernel/direct.hpp"
 #include "kernel/predicates.hpp"
 
 #include <delone/arithmetic.hpp>
@@ -61,7 +62,7 @@ struct HalfspaceIntersectionBase::Impl {
   double order_seconds = 0, build_seconds = 0;
   unsigned most_threads = 1;
   mutable std::mutex mutex;
-  mutable std::unique_ptr<const IntersectionData> data;
+  mutable std::shared_ptr<const IntersectionData> data;
 
   std::size_t num_rows() const { return rows.size() / (d + 1); }
 
@@ -77,10 +78,14 @@ struct HalfspaceIntersectionBase::Impl {
   /// Throws unless p is strictly inside the rows from `first` on, which the error counts from 0.
   void check_interior(const std::vector<double>& all, std::size_t first, const InteriorPoint& p) const {
     std::vector<std::size_t> bad;
-    for (std::size_t r = first; r * (d + 1) < all.size(); ++r)
-      if (const double* row = &all[r * (d + 1)];
-          has_normal(row, d) ? !halfspaces::is_strictly_inside(row, p) : row[d] > 0)
-        bad.push_back(r - first);
+    for (std::size_t r = first; r * (d + 1) < all.size(); ++r) {
+      const double* const row = &all[r * (d + 1)];
+      // Then p is strictly inside, or the row has no normal and all points are.
+      if (p.is_exact() &&
+          kernel::direct_affine_form(row, p.rounded.data(), static_cast<int>(d)) == Sign::negative)
+        continue;
+      if (has_normal(row, d) ? !halfspaces::is_strictly_inside(row, p) : row[d] > 0) bad.push_back(r - first);
+    }
     if (!bad.empty())
       throw Error(Errc::invalid_argument,
                   "the interior point is not strictly inside halfspace " + std::to_string(bad.front()) +
@@ -238,14 +243,14 @@ struct HalfspaceIntersectionBase::Impl {
     limits.guard(std::forward<Work>(work));
   }
 
-  const IntersectionData& analyse() const {
+  const std::shared_ptr<const IntersectionData>& analyse() const {
     const std::lock_guard lock(mutex);
     if (!data) {
       data = internal::guarded("the faces of the intersection", [&] {
-        return std::make_unique<const IntersectionData>(halfspaces::intersection_arrays(*current));
+        return std::make_shared<const IntersectionData>(halfspaces::intersection_arrays(*current));
       });
     }
-    return *data;
+    return data;
   }
 };
 
@@ -300,7 +305,10 @@ IntersectionState HalfspaceIntersectionBase::state() const { return impl_->curre
 std::size_t HalfspaceIntersectionBase::count(HalfspaceKind kind) const {
   return static_cast<std::size_t>(std::count(data().kinds.begin(), data().kinds.end(), kind));
 }
-const IntersectionData& HalfspaceIntersectionBase::data() const { return impl_->analyse(); }
+const IntersectionData& HalfspaceIntersectionBase::data() const { return *impl_->analyse(); }
+std::shared_ptr<const IntersectionData> HalfspaceIntersectionBase::shared_data() const {
+  return impl_->analyse();
+}
 IntersectionData HalfspaceIntersectionBase::to_data() const {
   IntersectionData copy = data();
   copy.halfspaces = impl_->rows;

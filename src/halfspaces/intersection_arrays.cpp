@@ -36,6 +36,7 @@ class ArrayMaker {
   IntersectionData make() {
     data_.dimension = static_cast<int>(d_);
     data_.state = parts_.state;
+    data_.first_of_halfspace.reserve(parts_.sites.num_rows());
     for (std::size_t r = 0; r < parts_.sites.num_rows(); ++r)
       data_.first_of_halfspace.push_back(parts_.sites.site_of_row(r) == invalid_index
                                              ? static_cast<SignedIndex>(r)
@@ -225,6 +226,7 @@ class ArrayMaker {
   }
 
   void make_kinds() {
+    data_.kinds.reserve(parts_.sites.num_rows());
     for (std::size_t r = 0; r < parts_.sites.num_rows(); ++r) {
       const Index site = parts_.sites.site_of_row(r);
       data_.kinds.push_back(site == invalid_index ? HalfspaceKind::trivial
@@ -238,18 +240,19 @@ class ArrayMaker {
     std::vector<int> all(d_);
     for (std::size_t j = 0; j < d_; ++j) all[j] = static_cast<int>(j);
     std::vector<double> dual(2 * d_), normal(d_);
-    data_.dual_points.reserve(parts_.sites.num_rows() * d_);
+    data_.dual_points.resize(parts_.sites.num_rows() * d_);
     data_.dual_equations.reserve(data_.num_vertices() * (d_ + 1));
     for (std::size_t r = 0; r < parts_.sites.num_rows(); ++r) {
       internal::cancellation_point();
       const Index site = parts_.sites.site_of_row(r);
-      std::fill(dual.begin(), dual.end(), 0.0);
-      if (site != invalid_index && k_ == d_)
-        std::copy_n(sites_.dual(site), d_, dual.begin());
-      else if (site != invalid_index)
+      if (site == invalid_index) continue;
+      double* const leading = data_.dual_points.data() + r * d_;
+      if (k_ == d_) {
+        std::copy_n(sites_.dual(site), d_, leading);
+      } else {
         dual_point(sites_.point(site), parts_.interior, all, dual.data());
-      data_.dual_points.insert(data_.dual_points.end(), dual.begin(),
-                               dual.begin() + static_cast<std::ptrdiff_t>(d_));
+        std::copy_n(dual.begin(), d_, leading);
+      }
     }
     std::vector<char> is_axis(d_, 0);
     for (const int axis : axes_) is_axis[static_cast<std::size_t>(axis)] = 1;
@@ -310,9 +313,10 @@ void IntersectionParts::add_duals(Index first) {
   if (sites.axes.empty()) return;
   const auto k = static_cast<std::size_t>(rank());
   sites.duals.resize(sites.size() * 2 * k, 0.0);
-  for (Index site = std::max(first, Index{1}); site < sites.size(); ++site)
-    dual_point(sites.point(site), interior, std::span(sites.axes).first(k),
-               sites.duals.data() + site * 2 * k);
+  first = std::max(first, Index{1});
+  if (first < sites.size())
+    dual_points(sites.point(first), sites.size() - first, interior, std::span(sites.axes).first(k),
+                sites.duals.data() + first * 2 * k);
 }
 
 bool is_strictly_inside(const double* row, const InteriorPoint& p) {

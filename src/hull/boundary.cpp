@@ -25,7 +25,7 @@ Boundary::Boundary(const BoundarySites& sites, const std::vector<Index>& simplex
   const auto k = static_cast<std::size_t>(sites.dimension());
   for (std::size_t r = 0; r < k; ++r) view_.low.push_back(sites.image(simplex[0], r));
   view_.high = view_.low;
-  for (Index site = 0; site < sites.size(); ++site) grow_box(site, 0);
+  grow_box(0, 0);
   engine_ = compiled::make_boundary_engine(sites, view_, simplex);
 }
 
@@ -43,16 +43,24 @@ Boundary::Boundary(const BoundarySites& sites, const Boundary& other)
   if (other.engine_) engine_ = other.engine_->copy(sites, view_);
 }
 
-/// `margin` times the box is added where it has to grow, so that sites arriving from ever farther away change
-/// it a logarithmic number of times. Returns whether it has grown.
-bool Boundary::grow_box(Index site, double margin) {
+/// For the sites from `first` on. `margin` times the box is added where it has to grow, so that sites
+/// arriving from ever farther away change it a logarithmic number of times. Returns whether it has grown.
+bool Boundary::grow_box(Index first, double margin) {
   constexpr double largest = std::numeric_limits<double>::max();
+  std::vector<double> low = view_.low, high = view_.high;
+  for (Index site = first; site < sites_.size(); ++site)
+    for (std::size_t r = 0; r < low.size(); ++r) {
+      const double x = sites_.image(site, r);
+      low[r] = std::min(low[r], x);
+      high[r] = std::max(high[r], x);
+    }
   bool has_grown = false;
-  for (std::size_t r = 0; r < view_.low.size(); ++r) {
-    const double x = sites_.image(site, r);
+  for (std::size_t r = 0; r < low.size(); ++r) {
     const double extent = std::min(view_.high[r] / 2 - view_.low[r] / 2, largest / 8) * margin;
-    if (x < view_.low[r]) view_.low[r] = std::min(x, std::max(x - extent, -largest)), has_grown = true;
-    if (x > view_.high[r]) view_.high[r] = std::max(x, std::min(x + extent, largest)), has_grown = true;
+    if (low[r] < view_.low[r])
+      view_.low[r] = std::min(low[r], std::max(low[r] - extent, -largest)), has_grown = true;
+    if (high[r] > view_.high[r])
+      view_.high[r] = std::max(high[r], std::min(high[r] + extent, largest)), has_grown = true;
   }
   return has_grown;
 }
@@ -61,12 +69,9 @@ void Boundary::include_sites(Index first) {
   is_surely_interior_.resize(sites_.size(), 0);
   if (!engine_) return;
   std::vector<double> low = view_.low, high = view_.high;
-  bool has_grown = false;
-  for (Index site = first; site < sites_.size(); ++site) {
-    if (!sites_.is_homogeneous()) view_.grid.include(sites_.point(site));
-    has_grown |= grow_box(site, 2.0);
-  }
-  if (!has_grown) return;
+  for (Index site = first; site < sites_.size() && !sites_.is_homogeneous(); ++site)
+    view_.grid.include(sites_.point(site));
+  if (!grow_box(first, 2.0)) return;
   try {
     engine_->update_box();
   } catch (...) {

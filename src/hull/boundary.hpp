@@ -104,7 +104,7 @@ class Boundary {
     bool hull_is_current = false;
   };
 
-  bool grow_box(Index site, double margin);
+  bool grow_box(Index first, double margin);
   engine::Outcome insert_end(Index site);
   void insert_part(std::span<const Index> sites, std::span<const std::size_t> rounds, unsigned threads,
                    const std::function<void(std::size_t)>& tick);

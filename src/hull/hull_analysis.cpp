@@ -116,6 +116,25 @@ FacetEquations HullAnalysis::equations(HullMeasures* measures) const {
       faces().seeds, measures);
 }
 
+std::vector<SignedIndex> HullAnalysis::rows_of(const std::vector<Index>& sites) const {
+  std::vector<SignedIndex> rows(sites.size());
+  std::transform(sites.begin(), sites.end(), rows.begin(), [&](Index site) { return state_.row(site); });
+  return rows;
+}
+
+HullCells HullAnalysis::cells() const {
+  const SimplicialHull& hull = state_.hull();
+  HullCells cells;
+  cells.affine_dimension = state_.affine_hull().dimension();
+  cells.cells = rows_of(hull.cells);
+  cells.neighbors.assign(hull.neighbors.begin(), hull.neighbors.end());
+  if (!locator_ && num_extreme() > 0) cells.vertices.push_back(state_.row(state_.basis()[0]));
+  for (Index site = 0; locator_ && site < state_.sites().size(); ++site)
+    if (faces().is_extreme[site] != 0) cells.vertices.push_back(state_.row(site));
+  std::sort(cells.vertices.begin(), cells.vertices.end());
+  return cells;
+}
+
 HullData HullAnalysis::make_data() const {
   const BoundarySites& sites = state_.sites();
   const SimplicialHull& hull = state_.hull();
@@ -126,31 +145,26 @@ HullData HullAnalysis::make_data() const {
   data.tolerance = tolerance_.scale.tolerance();
   data.axis_tolerances = tolerance_.scale.tolerances();
   data.max_distance = tolerance_.max_distance;
-  const auto rows = [&](const std::vector<Index>& from) {
-    std::vector<SignedIndex> to(from.size());
-    std::transform(from.begin(), from.end(), to.begin(), [&](Index site) { return state_.row(site); });
-    return to;
-  };
-  data.cells = rows(hull.cells);
-  data.neighbors.assign(hull.neighbors.begin(), hull.neighbors.end());
+  HullCells cells = this->cells();
+  data.cells = std::move(cells.cells);
+  data.neighbors = std::move(cells.neighbors);
+  data.vertices = std::move(cells.vertices);
   data.facet_of_cell.assign(faces().facet_of_cell.begin(), faces().facet_of_cell.end());
   const Lists& facets = facet_sites();
   data.facet_offsets.assign(facets.offsets.begin(), facets.offsets.end());
-  data.facet_vertices = rows(facets.items);
+  data.facet_vertices = rows_of(facets.items);
   const PolytopeRidges ridges = find_ridges(hull, faces(), facets);
   data.ridge_facets.assign(ridges.facets.begin(), ridges.facets.end());
   data.ridge_offsets.assign(ridges.sites.offsets.begin(), ridges.sites.offsets.end());
-  data.ridge_vertices = rows(ridges.sites.items);
+  data.ridge_vertices = rows_of(ridges.sites.items);
   FacetEquations equations = this->equations();
   data.equations = std::move(equations.equations);
   data.equation_errors = std::move(equations.errors);
   data.point_kinds = kinds();
   data.vertex_of_point.resize(state_.num_rows());
-  for (std::size_t row = 0; row < state_.num_rows(); ++row) {
-    if (data.point_kinds[row] == PointKind::extreme) data.vertices.push_back(static_cast<SignedIndex>(row));
+  for (std::size_t row = 0; row < state_.num_rows(); ++row)
     if (const Index site = state_.site_of_row(row); site != invalid_index)
       data.vertex_of_point[row] = state_.row(site);
-  }
   const SievedRows& sieved = state_.sieved_rows();
   for (std::size_t i = 0; i < sieved.rows().size(); ++i)
     data.vertex_of_point[sieved.rows()[i]] = static_cast<SignedIndex>(sieved.first_rows()[i]);

@@ -58,11 +58,14 @@ class HullAnalysis {
   std::size_t num_extreme() const;
   const HullMeasures& measures() const;
   const HullData& data() const;
+  /// Made at each call.
+  HullCells cells() const;
   /// Of the facets. Computed at each call. `measures`: if not null, set to measures(), which costs less
   /// together; not with a tolerance.
   FacetEquations equations(HullMeasures* measures = nullptr) const;
 
  private:
+  std::vector<SignedIndex> rows_of(const std::vector<Index>& sites) const;
   std::vector<PointKind> find_kinds() const;
   HullData make_data() const;
 

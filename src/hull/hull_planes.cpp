@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull/hull_planes.hpp"
 
+#include "base/compiled_dimension.hpp"
 #include "base/infinity.hpp"
 #include "hull/hull_normal.hpp"
 
@@ -21,32 +22,34 @@ HullPlanes hull_planes(const BoundarySites& sites, const compiled::SimplicialHul
   HullPlanes planes;
   planes.functions.origin = box.center;
   planes.functions.normals.resize(cells.size() * d);
-  HullNormals normals(hull.dimension);
-  std::vector<double> record(normals.stride());
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const auto cell = hull.cell(cells[i]);
-    normals.compute(sites, cell, false, record.data());
-    double* const normal = planes.functions.normals.data() + i * d;
-    if (!(record[d] < internal::infinity)) {
-      planes.low.push_back(-internal::infinity);
-      planes.high.push_back(internal::infinity);
-      continue;
+  internal::with_compiled_dimension<2, 4>(d, [&](auto dimension) {
+    HullNormalsIn<dimension()> normals(hull.dimension);
+    std::vector<double> record(normals.stride());
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const auto cell = hull.cell(cells[i]);
+      normals.compute(sites, cell, false, record.data());
+      double* const normal = planes.functions.normals.data() + i * d;
+      if (!(record[d] < internal::infinity)) {
+        planes.low.push_back(-internal::infinity);
+        planes.high.push_back(internal::infinity);
+        continue;
+      }
+      const double* const base = sites.point(cell[0]);
+      double at_base = 0, magnitude = 0, length = 0, moved = 0;
+      for (std::size_t j = 0; j < d; ++j) {
+        normal[j] = record[j];
+        at_base += normal[j] * (base[j] - box.center[j]);
+        magnitude += std::fabs(normal[j]) * box.reach[j];
+        length += box.reach[j];
+        if (!box.error.empty()) moved += (std::fabs(normal[j]) + record[d]) * box.error[j];
+      }
+      const double slack = 1.01 * (2 * static_cast<double>(d + 4) * kernel::unit_roundoff * magnitude +
+                                   2 * record[d] * length + 2 * moved) +
+                           2 * kernel::underflow_allowance;
+      planes.low.push_back(at_base - slack);
+      planes.high.push_back(at_base + slack);
     }
-    const double* const base = sites.point(cell[0]);
-    double at_base = 0, magnitude = 0, length = 0, moved = 0;
-    for (std::size_t j = 0; j < d; ++j) {
-      normal[j] = record[j];
-      at_base += normal[j] * (base[j] - box.center[j]);
-      magnitude += std::fabs(normal[j]) * box.reach[j];
-      length += box.reach[j];
-      if (!box.error.empty()) moved += (std::fabs(normal[j]) + record[d]) * box.error[j];
-    }
-    const double slack = 1.01 * (2 * static_cast<double>(d + 4) * kernel::unit_roundoff * magnitude +
-                                 2 * record[d] * length + 2 * moved) +
-                         2 * kernel::underflow_allowance;
-    planes.low.push_back(at_base - slack);
-    planes.high.push_back(at_base + slack);
-  }
+  });
   return planes;
 }
 

@@ -33,14 +33,13 @@ Index GrowingSites::find(const double* row, std::uint64_t tag) const {
 }
 
 Index GrowingSites::add_site(const double* row, Index number, std::uint64_t tag) {
-  const Mark before = mark();
-  const auto site = static_cast<Index>(size());
+  const auto site = static_cast<Index>(row_of_site_.size());
   try {
     row_of_site_.push_back(number);
-    coordinates.insert(coordinates.end(), row, row + row_size());
+    for (std::size_t j = 0; j < row_size(); ++j) coordinates.push_back(row[j]);
     table_.add(tag, site);
   } catch (...) {
-    rollback(before);
+    rollback({num_rows(), site});
     throw;
   }
   return site;

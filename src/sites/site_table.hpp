@@ -7,6 +7,7 @@
 
 #include <delone/types.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -28,7 +29,9 @@ class SiteTable {
 
   /// Makes room for n sites in total.
   void reserve(std::size_t n) {
-    while (2 * n > entries_.size()) grow();
+    std::size_t most = std::max(entries_.size(), std::size_t{16});
+    while (2 * n > most) most *= 2;
+    if (n > 0 && most > entries_.size()) rehash(most);
   }
   /// Prefetches the entry where find() and add() start.
   [[gnu::always_inline]] void prefetch(std::uint64_t tag) const {
@@ -37,7 +40,7 @@ class SiteTable {
 
   /// Strong guarantee: throws std::bad_alloc or succeeds.
   void add(std::uint64_t tag, Index site) {
-    if (2 * (size_ + 1) > entries_.size()) grow();
+    reserve(size_ + 1);
     place(entries_, {tag, site});
     ++size_;
   }
@@ -65,8 +68,9 @@ class SiteTable {
     while (entries[at].site != invalid_index) at = (at + 1) & (entries.size() - 1);
     entries[at] = entry;
   }
-  void grow() {
-    std::vector<Entry> larger(entries_.empty() ? 16 : 2 * entries_.size());
+  /// `most`: a power of two.
+  void rehash(std::size_t most) {
+    std::vector<Entry> larger(most);
     for (const Entry& entry : entries_)
       if (entry.site != invalid_index) place(larger, entry);
     entries_ = std::move(larger);

@@ -121,3 +121,31 @@ import delone.spatial
 print(compiled, "numpy.typing" in sys.modules and not before)
 """
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout == "[] False\n"
+
+
+@pytest.mark.parametrize("points", [np.random.default_rng(3).random((400, 3)), np.array([[0, 0], [2, 1], [4, 2], [6, 3.0]])])
+@pytest.mark.parametrize("furthest", [False, True])
+def test_single_queries_of_all_forms_get_the_answer_of_a_batch(points, furthest):
+    tri = spatial.Delaunay(points, furthest_site=furthest, flat="result")
+    inside = 0.6 * points[:20] + 0.4 * points[1:21].mean(axis=0)  # in one simplex each
+    queries = np.concatenate([inside, 3 * inside - 1, 1.01 * points[:20], points.mean(axis=0)[None] + 1e-9])
+    expected = tri.find_simplex(queries).tolist()
+    wide = np.repeat(queries, 2, axis=1)
+    forms = [lambda i: queries[i], lambda i: wide[i, ::2], lambda i: queries[i].tolist(), lambda i: queries[i].astype(np.longdouble),
+             lambda i: np.asfortranarray(queries[i][None])[0], lambda i: queries[i].astype(object), lambda i: np.ma.array(queries[i])]
+    for form in forms:
+        found = [tri.find_simplex(form(i)) for i in range(len(queries))]
+        assert [int(each) for each in found] == expected
+        assert all(type(each) is np.ndarray and each.shape == () and each.dtype == np.intc for each in found)
+    for bad in (np.nan, np.inf):
+        assert tri.find_simplex(np.full(points.shape[1], bad)) == -1
+    with pytest.raises(ValueError):
+        tri.find_simplex(np.zeros(points.shape[1] + 1))
+
+
+def test_single_queries_follow_added_points():
+    points = np.random.default_rng(5).random((60, 2))
+    tri = spatial.Delaunay(points[:30], incremental=True)
+    assert tri.find_simplex(points[0]) >= 0
+    tri.add_points(points[30:] + 5)
+    assert tri.find_simplex(points[40] + 5) >= 0

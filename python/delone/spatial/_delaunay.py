@@ -27,8 +27,9 @@ DEFAULT_TOLERANCE = 100 * sys.float_info.epsilon
 # Queries from which on those outside of the bounding box are sorted out first: of few, one walk is as fast.
 MANY_QUERIES = 64
 
-# The most facets of the convex hull, and numbers for all pairs of a facet and a point, for which half-spaces are kept.
-MOST_FACETS, MOST_PRODUCTS = 128, 1_000_000
+# The most facets of the convex hull, and numbers for all pairs of a facet and a point, for which half-spaces are kept; the most
+# facets for which many queries are compared with them.
+MOST_FACETS, MOST_PRODUCTS, FEW_FACETS = 1024, 1_000_000, 128
 
 
 def _reach(tol: float, dimension: int, diameter: float) -> float:
@@ -51,6 +52,8 @@ class _Search:
                 corners = points[core.cells[begin:begin + 100_000][~self.is_thin[begin:begin + 100_000]]]
                 if len(corners):  # the diagonal of the bounding box
                     self.diameter = max(self.diameter, float(np.sqrt(np.square(np.ptp(corners, axis=1)).sum(axis=1)).max()))
+        broad = math.sqrt(DEFAULT_TOLERANCE) if self.has_thin else DEFAULT_TOLERANCE
+        self._default_reach = _reach(broad, points.shape[1], self.diameter)
         self._normals = self._offsets = None
         simplex, opposite = np.nonzero((neighbors == -1) & ~self.is_thin[:, None])
         if 0 < len(simplex) <= MOST_FACETS and len(simplex) * len(points) <= MOST_PRODUCTS:
@@ -69,11 +72,18 @@ class _Search:
 
     def near(self, queries: np.ndarray, reach: float) -> np.ndarray:
         """The numbers of all queries, near the bounding box, that may be within this distance of the hull, and perhaps of others."""
-        if self._normals is None:
+        if self._normals is None or len(self._normals) > FEW_FACETS and len(queries) >= MANY_QUERIES:
             return np.arange(len(queries))
         beyond = queries @ self._normals.T
         beyond -= self._offsets
         return np.flatnonzero(beyond.max(axis=1) <= reach + self._rounding)
+
+    def is_far(self, query: np.ndarray) -> bool:
+        """Whether no simplex accepts the query within the default tolerance; False if half-spaces do not tell."""
+        if self._normals is None:
+            return False
+        with np.errstate(all="ignore"):
+            return (self._normals @ query - self._offsets).max() > self._default_reach + self._rounding
 
 
 class Delaunay(OfPoints):
@@ -143,7 +153,7 @@ class Delaunay(OfPoints):
     """
 
     _derived = ("simplices", "neighbors", "nsimplex", "affine_dimension", "convex_hull", "coplanar", "good", "_paraboloid",
-                "transform", "equations", "vertex_to_simplex", "vertex_neighbor_vertices", "_search", "_box", "_own")
+                "transform", "equations", "vertex_to_simplex", "vertex_neighbor_vertices", "_search", "_box", "_own", "_is_unsure")
 
     def __init__(self, points, furthest_site=False, incremental=False, qhull_options=None, *, flat=None):
         points = as_points(points)
@@ -301,6 +311,10 @@ class Delaunay(OfPoints):
         >>> Delaunay([[0, 0], [1, 0], [0, 1]]).find_simplex([[0.2, 0.2], [1, 1]])
         array([ 0, -1], dtype=int32)
         """
+        if tol is None:  # most single queries are in a simplex that needs no more
+            found = self._core._find_one(xi)
+            if found >= 0 and not self._is_unsure[found] or found == -1 and (not self._is_full or self._search.is_far(xi)):
+                return np.array(found, np.intc)
         if type(xi) is not np.ndarray or xi.dtype != np.float64:
             xi = np.asanyarray(xi)
         if xi.ndim == 0 or xi.shape[-1] != self.ndim:
@@ -356,6 +370,11 @@ class Delaunay(OfPoints):
                         return found
                 found[unsure] = self._find_accepting(queries[unsure], found[unsure], tol)
         return found
+
+    @cached_property
+    def _is_unsure(self) -> bytes:
+        """For each simplex whether points in it may get another one."""
+        return self._search.is_thin.tobytes() if self._is_full else bytes(self.nsimplex)
 
     @property
     def _is_full(self) -> bool:

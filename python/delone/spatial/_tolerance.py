@@ -80,11 +80,17 @@ class Rounding:
         options, d = self._options, len(sizes)
         if options.unmerged:
             return [0.0] * d
-        unit, result = roundoff(d), []
-        for size, scale, limit in zip(sizes, self._units, most):
-            of_distance = unit * size if options.roundoff is None else options.roundoff * scale
-            result.append(min(max((2 * d + 1) * of_distance + d * options.centrum * scale, options.width * scale), limit))
+        unit = roundoff(d)
+        if options.sets_tolerance:
+            result = []
+            for size, scale, limit in zip(sizes, self._units, most):
+                of_distance = unit * size if options.roundoff is None else options.roundoff * scale
+                result.append(min(max((2 * d + 1) * of_distance + d * options.centrum * scale, options.width * scale), limit))
+        else:
+            result = [min((2 * d + 1) * (unit * size), limit) for size, limit in zip(sizes, most)]
         largest = max(result)
+        if min(result) > largest * 2.0**-1000 and max(self._largest) < 2.0**20:
+            return result  # what follows would not change it
         # Columns of zeros need none of their own. The library scales columns until tolerances are equal: then numbers must be in the
         # range of float64.
         return [max(each or largest, largest * min(max(number * 2.0**-1020, 2.0**-1000), 1)) for each, number in zip(result, self._largest)]

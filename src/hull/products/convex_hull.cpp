@@ -294,8 +294,12 @@ std::span<const double> ConvexHullBase::point(std::size_t row) const {
 const HullData& ConvexHullBase::data() const {
   return impl_->analyse([](const HullAnalysis& analysis) -> const HullData& { return analysis.data(); });
 }
+HullCells ConvexHullBase::to_cells() const {
+  return impl_->analyse([](const HullAnalysis& analysis) { return analysis.cells(); });
+}
 HullData ConvexHullBase::to_data(bool with_points) const {
   HullData copy = data();
+  if (with_points) copy.points.reserve(num_points() * impl_->ambient());
   for (std::size_t row = 0; with_points && row < num_points(); ++row)
     copy.points.insert(copy.points.end(), point(row).begin(), point(row).end());
   return copy;

@@ -5,6 +5,7 @@
 #include "base/progress_meter.hpp"
 #include "hull/growing_shell.hpp"
 #include "hull/point_sieve.hpp"
+#include "hull/sieve_kernel.hpp"
 #include "kernel/determinant.hpp"
 #include "kernel/nearest_in_hull.hpp"
 
@@ -73,10 +74,12 @@ class Search {
     return sums;
   }
 
-  /// Whether n proves that v is farther than the tolerance from the hull of all other points. A computed n·(v
-  /// − w) is off by at most γ(d+1) of the sum of the absolute products, and these are at most Σ|n_j| times
-  /// the extent.
-  bool is_necessary(const double* v, const double* n) const {
+  /// A point v is farther than the tolerance from the hull of others if all computed n·(v − w) exceed this;
+  /// also if all differences of computed n·(v − o) and n·(w − o) do, where o is the center of the box. A
+  /// computed n·(v − w) is off by at most γ(d+1) of the sum of the absolute products, and these are at most
+  /// Σ|n_j| times the extent. Each of the other two, fused or not, is off by as much of half of that, and
+  /// their difference by one rounding more. Infinite if n is too long or too short.
+  double least_beyond(const double* n) const {
     double square = 0, size = 0;
     for (std::size_t j = 0; j < d_; ++j) {
       square += n[j] * n[j];
@@ -84,9 +87,13 @@ class Search {
     }
     const auto dimension = static_cast<double>(d_);
     const double length = std::sqrt(square) * (1 + (dimension + 4) * unit);
-    if (!(length > 0x1p-400 && length < 0x1p400)) return false;
-    const double least =
-        tolerance_ * length * (1 + 4 * unit) + 2.02 * (dimension + 2) * unit * size * 1.01 + absolute;
+    if (!(length > 0x1p-400 && length < 0x1p400)) return internal::infinity;
+    return tolerance_ * length * (1 + 4 * unit) + 2.02 * (dimension + 3) * unit * size * 1.01 + absolute;
+  }
+
+  /// Whether n proves that v is farther than the tolerance from the hull of all other points.
+  bool is_necessary(const double* v, const double* n) const {
+    const double least = least_beyond(n);
     const double* w = coordinates_.data();
     for (std::size_t i = 0; i < n_; ++i, w += d_) {
       double product = 0;
@@ -96,13 +103,55 @@ class Search {
     return true;
   }
 
+  /// For each vertex whether its direction proves the same. Equal rows prove nothing.
+  std::vector<char> are_necessary(const std::vector<double>& directions) {
+    constexpr std::size_t block = 64;  // of vertices, which are compared with each other one by one
+    const std::size_t m = sieve_.shell_rows().size();
+    std::vector<char> is_vertex(n_, 0), are(m, 0);
+    std::vector<double> points;
+    points.reserve(n_ * d_);
+    const auto add = [&](std::size_t row) {
+      const auto point = coordinates_.subspan(row * d_, d_);
+      points.insert(points.end(), point.begin(), point.end());
+    };
+    for (const Index row : sieve_.shell_rows()) {
+      is_vertex[row] = 1;
+      add(row);
+    }
+    for (std::size_t row = 0; row < n_; ++row)
+      if (is_vertex[row] == 0) add(row);
+    for (std::size_t first = 0; first < m; first += block) {
+      const std::size_t last = std::min(first + block, m);
+      LinearFunctions functions{sieve_.box().center, {}};
+      functions.normals.assign(directions.begin() + static_cast<std::ptrdiff_t>(first * d_),
+                               directions.begin() + static_cast<std::ptrdiff_t>(last * d_));
+      std::vector<Extreme> others(last - first, Extreme{-internal::infinity, Extreme::nowhere});
+      find_extremes(std::span(points).first(first * d_), functions, others);
+      find_extremes(std::span(points).subspan(last * d_), functions, others);
+      for (std::size_t v = first; v < last; ++v) {
+        const double* const n = directions.data() + v * d_;
+        const auto value = [&](std::size_t w) {
+          double sum = 0;
+          for (std::size_t j = 0; j < d_; ++j) sum += n[j] * (points[w * d_ + j] - functions.origin[j]);
+          return sum;
+        };
+        double largest = others[v - first].value;
+        for (std::size_t w = first; w < last; ++w)
+          if (w != v) largest = std::max(largest, value(w));
+        are[v] = value(v) - largest > least_beyond(n) ? 1 : 0;
+      }
+    }
+    return are;
+  }
+
   bool all_are_necessary() {
     const BoundarySites& sites = shell().sites();
     const std::vector<double> sums = directions();
+    const std::vector<char> are = are_necessary(sums);
     std::vector<const double*> others;
     std::vector<double> direction(d_);
     for (Index v = 0; v < sites.size(); ++v) {
-      if (is_necessary(sites.point(v), sums.data() + v * d_)) continue;
+      if (are[v] != 0 || is_necessary(sites.point(v), sums.data() + v * d_)) continue;
       others.clear();
       for (Index w = 0; w < sites.size(); ++w)
         if (w != v) others.push_back(sites.point(w));

@@ -10,8 +10,10 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <vector>
 
 namespace delone::halfspaces {
 namespace {
@@ -145,6 +147,58 @@ TEST(DualPoint, AtTheEndsOfTheRange) {
   expect_close({0x1p-1074, -0x1p-1073}, {{1}, {}});
   expect_close({1, 1e-250, -1}, {{1e-250, 1}, {}});
   expect_close({3, -1e-301}, {{0}, {}});
+}
+
+/// Row by row, bit for bit.
+void expect_same_as_one_by_one(const std::vector<double>& rows, const InteriorPoint& p,
+                               const std::vector<int>& axes) {
+  const std::size_t row_size = p.rounded.size() + 1, width = 2 * axes.size(), count = rows.size() / row_size;
+  std::vector<double> together(count * width), single(width);
+  dual_points(rows.data(), count, p, axes, together.data());
+  for (std::size_t r = 0; r < count; ++r) {
+    dual_point(rows.data() + r * row_size, p, axes, single.data());
+    for (std::size_t j = 0; j < width; ++j) EXPECT_EQ(together[r * width + j], single[j]) << r << ' ' << j;
+  }
+}
+
+// Ordinary rows among such that need integers: by cancellation, by their range, and with zeros.
+TEST(DualPoints, AreThoseOfSingleRows) {
+  test::Random random(5);
+  for (const std::size_t d : {1, 2, 3, 4, 7}) {
+    for (const std::size_t count : {0, 1, 31, 32, 33, 100}) {
+      InteriorPoint p;
+      for (std::size_t j = 0; j < d; ++j)
+        p.rounded.push_back(random.integer(0, 3) == 0 ? 0 : random.real() - 0.5);
+      std::vector<double> rows;
+      for (std::size_t r = 0; r < count; ++r) {
+        const int scale = random.integer(0, 5) == 0 ? random.integer(-900, 900) : 0;
+        double sum = 0;
+        for (std::size_t j = 0; j < d; ++j) {
+          const double n = random.integer(0, 4) == 0 && j + 1 < d ? 0 : random.real() + 0x1p-20;
+          rows.push_back(std::ldexp(n, scale));
+          sum += n * p.rounded[j];
+        }
+        const int gap = random.integer(0, 3) == 0 ? -48 : random.integer(-20, 300);
+        rows.push_back(std::ldexp(-sum - std::ldexp(1, std::min(gap, 1000 - scale)), scale));
+      }
+      std::vector<int> axes(d);
+      std::iota(axes.begin(), axes.end(), 0);
+      expect_same_as_one_by_one(rows, p, axes);
+      expect_same_as_one_by_one(rows, p, {static_cast<int>(d) - 1});
+    }
+  }
+}
+
+TEST(DualPoints, SeenFromFarAway) {
+  std::vector<double> rows;
+  for (int r = 0; r < 40; ++r) rows.insert(rows.end(), {1.0 + r, -1, -3});
+  expect_same_as_one_by_one(rows, {{-0x1p300, 1}, {}}, {0, 1});
+}
+
+TEST(DualPoints, SeenFromAFraction) {
+  std::vector<double> rows;
+  for (int r = 0; r < 40; ++r) rows.insert(rows.end(), {3.0 + r, 3, -3.0 - r});
+  expect_same_as_one_by_one(rows, {{1.0 / 3, 1.0 / 3}, {1, 1}, 3}, {0, 1});
 }
 
 }  // namespace

@@ -40,6 +40,16 @@ TEST(HalfspaceIntersection, WhatIsRefusedLeavesItAsItWas) {
   EXPECT_EQ(box.count(HalfspaceKind::redundant), 1u);
 }
 
+TEST(HalfspaceIntersection, SharedArraysStayAsTheyAre) {
+  HalfspaceIntersection<> box(square, 2);
+  const std::shared_ptr<const IntersectionData> before = box.shared_data();
+  const std::vector<double> vertices = before->vertices;
+  EXPECT_EQ(before.get(), &box.data());
+  box.insert_range(HalfspaceRows{1, 0, -0.5});
+  EXPECT_EQ(before->vertices, vertices);
+  EXPECT_NE(box.shared_data()->vertices, vertices);
+}
+
 TEST(HalfspaceIntersection, NoVolumeIsLeftBetweenTwoDoubles) {
   // 1 + 4/7·u < x < 1 + 4/5·u with u = 2⁻⁵²: all of it rounds to 1 + u.
   const HalfspaceRows thin{-7, 0, 7 + 0x1p-50, 5, 0, -(5 + 0x1p-50), 0, 1, -1, 0, -1, 0};

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace delone::hull {
 namespace {
@@ -50,6 +52,30 @@ TEST(HullAnalysis, TellsKindsOfPoints) {
   EXPECT_THAT(data.vertex_of_point, ElementsAre(0, 1, 2, 3, 4, 5, 0, 2, 4, 9, 10));
   EXPECT_EQ(data.num_facets(), 4u);
   EXPECT_EQ(&data, &hull.data());
+}
+
+// Of sets of each affine dimension, with duplicates, and points on edges and inside.
+TEST(HullAnalysis, CellsHaveTheExtremePointsAsVertices) {
+  const std::vector<std::pair<int, std::vector<double>>> sets{
+      {2, {0, 0, 2, 0, 1, 0, 2, 2, 1, 1, 0, 2, 0, 0}},
+      {3, test::lattice(3, 3).points},
+      {2, {1, 1, 3, 3, 2, 2, 0, 0, 3, 3}},
+      {3, {0, 0, 1, 2, 0, 1, 0, 2, 1, 2, 2, 1, 1, 1, 1}},
+      {2, {5, 5, 5, 5}},
+      {2, {}}};
+  for (const auto& [d, points] : sets) {
+    const HullState state = state_of(d, points);
+    const HullAnalysis hull(state);
+    const HullCells cells = hull.cells();
+    std::vector<SignedIndex> rows;
+    for (std::size_t row = 0; row < hull.kinds().size(); ++row)
+      if (hull.kinds()[row] == extreme) rows.push_back(static_cast<SignedIndex>(row));
+    EXPECT_EQ(cells.vertices, rows);
+    EXPECT_EQ(cells.cells, hull.data().cells);
+    EXPECT_EQ(cells.neighbors, hull.data().neighbors);
+    EXPECT_EQ(cells.affine_dimension, hull.data().affine_dimension);
+    EXPECT_EQ(cells.num_cells(), state.hull().num_cells());
+  }
 }
 
 TEST(HullAnalysis, OfALatticeCube) {
