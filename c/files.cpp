@@ -61,6 +61,7 @@ std::unique_ptr<delone_object> object_of(const TilesIndex& index) {
   results->add("num_hull_facets", index.num_hull_facets);
   results->add("num_parts", static_cast<std::int64_t>(index.parts.size()));
   results->add("hash", index.hash.hex());
+  if (index.lattice.rank() > 0) results->add("lattice", index.lattice.vectors, index.dimension);
   const auto of_parts = [&](const char* name, std::int64_t TilePart::*number) {
     std::vector<std::int64_t> numbers;
     for (const TilePart& part : index.parts) numbers.push_back(part.*number);
@@ -93,6 +94,10 @@ std::unique_ptr<delone_object> object_of(TileData tile) {
   results->add("seams", std::move(tile.seams));
   results->add("own_rows", std::move(tile.own_rows));
   results->add("vertex_of_row", std::move(tile.vertex_of_row));
+  if (tile.rank > 0) {
+    results->add("cell_offsets", std::move(tile.cell_offsets), width * tile.rank);
+    results->add("seam_offsets", std::move(tile.seam_offsets), tile.rank);
+  }
   return results;
 }
 

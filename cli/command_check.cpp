@@ -222,7 +222,10 @@ int run_check_tiles(const CheckCommandOptions& options) {
                  : check_tiles(options.path, check_options, how);
   });
   return print_report(
-      options, DataKind::unknown,
+      options,
+      index.lattice.rank() == 0 ? DataKind::unknown
+      : index.weighted          ? DataKind::periodic_regular
+                                : DataKind::periodic_delaunay,
       fmt::format("{} in dimension {}, affine dimension {}, {} in {}",
                   counted(static_cast<std::size_t>(index.num_points), "point"), index.dimension,
                   index.affine_dimension, counted(static_cast<std::size_t>(index.num_cells), "cell"),

@@ -327,6 +327,8 @@ TilesIndex make(MPI_Comm comm, const std::string& folder, const TilesOptions& op
     std::optional<Share> share;
     ranks.together([&] {
       tiles::require_name(folder);
+      if (options.lattice.rank() > 0)
+        throw Error(Errc::unsupported, "lattice: the processes of MPI do not make tiles of periodic sets");
       make_share(ranks, share);
       if (ranks.rank() != 0) return;
       if (options.vtu) tiles::require_vtu(folder, share->dimension() - (options.weighted ? 1 : 0));

@@ -245,12 +245,13 @@ DELONE_C_API int delone_set_text(delone_options* options, const char* name, cons
  *            num_hull_facets num_parts
  *   text     hash
  *   array    first_cell, part_cells, part_points, part_vertices, part_foreign, part_bytes, part_crc32,
- *            part_seam_bytes, part_seam_crc32, each t (int64)
+ *            part_seam_bytes, part_seam_crc32, each t (int64); of a periodic set lattice r x d
  *
  * "tile", a part
  *   integer  dimension affine_dimension num_points num_cells
  *   array    points v x d; weights; cells m x (k+1), neighbors m x (k+1) (int32); rows, seams, own_rows,
- *            vertex_of_row (int64)
+ *            vertex_of_row (int64); of a periodic set cell_offsets m x (k+1)r, seam_offsets, r of each seam
+ *            (int32)
  *
  * The C++ headers data.hpp, convex_hull.hpp, voronoi.hpp, check.hpp, qhull_options.hpp and tiles.hpp describe
  * the members in full. */

@@ -2,7 +2,8 @@
 """Triangulations of more points than memory holds: a folder of parts, which together are the triangulation of all points.
 
 `make_tiles` makes such a folder from a file or an array, `Tiles` reads it part by part. The cells, and their canonical hash,
-are those of `delone.Delaunay` or `delone.Regular` of all points at once.
+are those of `delone.Delaunay` or `delone.Regular` of all points at once, or with a lattice those of `delone.PeriodicDelaunay` or
+`delone.PeriodicRegular`.
 """
 from __future__ import annotations
 
@@ -15,6 +16,7 @@ from typing import Iterator, NamedTuple, Optional, Tuple, Union
 import numpy as np
 
 from . import _core
+from ._lattice import vectors
 
 __all__ = ["Forecast", "Part", "PartIndex", "Report", "Tiles", "make_tiles"]
 
@@ -123,6 +125,11 @@ class Part(NamedTuple):
         The input rows in the tile, increasing. Every row is in one tile.
     vertex_of_row : (t,) ndarray of int64
         The row of the vertex of each of them: of equal rows the first; -1 for hidden points.
+    cell_offsets : (m, k+1, r) ndarray of int32 or None
+        In a periodic set how many lattice vectors each vertex is translated by: vertex i of cell c is
+        ``points[cells[c, i]] + cell_offsets[c, i] @ tiles.lattice``. Its `points` are in the box of the lattice.
+    neighbor_offsets : (m, k+1, r) ndarray of int32 or None
+        The same for neighbors.
 
     Examples
     --------
@@ -141,6 +148,8 @@ class Part(NamedTuple):
     neighbors: np.ndarray
     own_rows: np.ndarray
     vertex_of_row: np.ndarray
+    cell_offsets: Optional[np.ndarray] = None
+    neighbor_offsets: Optional[np.ndarray] = None
 
 
 class Report(NamedTuple):
@@ -242,6 +251,12 @@ class Tiles:
         return self._index["weighted"]
 
     @property
+    def lattice(self) -> Optional[np.ndarray]:
+        """The lattice vectors of a periodic set, (r, d) float64; None for others."""
+        numbers = self._index["lattice"]
+        return np.array(numbers).reshape(-1, self.dimension) if numbers else None
+
+    @property
     def num_points(self) -> int:
         """The number of input rows."""
         return self._index["num_points"]
@@ -290,7 +305,11 @@ class Tiles:
             raise IndexError(f"part {i} of {len(self)}")
         i = range(len(self))[i]
         first_cell = self._parts[i].first_cell
-        return Part(number=i, first_cell=first_cell, **_core._read_tile(os.fsencode(self._folder), i, first_cell))
+        arrays = _core._read_tile(os.fsencode(self._folder), i, first_cell)
+        if (lattice := self.lattice) is not None:
+            for name in ("cell_offsets", "neighbor_offsets"):
+                arrays[name] = arrays[name].reshape(*arrays["cells"].shape, len(lattice))
+        return Part(number=i, first_cell=first_cell, **arrays)
 
     def __iter__(self) -> Iterator[Part]:
         return (self[i] for i in range(len(self)))
@@ -307,6 +326,7 @@ class Tiles:
             The highest level to examine: 1 storage, 2 incidence, 3 sphere, 4 volume, 5 local convexity, 6 completeness.
         points : (n, d) array_like, optional
             The input, to compare with at level 6. The folder does not hold the coordinates of duplicates and hidden points.
+            Not for periodic sets.
         weights : (n,) array_like, optional
             The weights of the input.
         canonical : bool, default False
@@ -330,7 +350,7 @@ class Tiles:
 
         Notes
         -----
-        Needs the memory of three parts.
+        Needs the memory of three parts, for a periodic set that of all.
 
         Examples
         --------
@@ -346,12 +366,12 @@ class Tiles:
         return Report(**{**found, "cells": tuple(found["cells"]), "points": tuple(found["points"])})
 
     def __repr__(self) -> str:
-        kind = "regular" if self.weighted else "Delaunay"
+        kind = ("regular" if self.weighted else "Delaunay") if self.lattice is None else "periodic regular" if self.weighted else "periodic Delaunay"
         return (f"<delone.tiles.Tiles: {kind}, {self.num_points} points in dimension {self.dimension}, {self.num_cells} cells in "
                 f"{len(self)} parts>")
 
 
-def make_tiles(points, folder, *, weights=None, columns=None, format=None, raw=None, memory=None, tiles=None, threads=0, resume=True,
+def make_tiles(points, folder, *, weights=None, lattice=None, axes=None, columns=None, format=None, raw=None, memory=None, tiles=None, threads=0, resume=True,
                vtu=False, forecast=None, damage=None, progress=None) -> Tiles:
     """Triangulate the points of a file or an array in tiles.
 
@@ -365,6 +385,10 @@ def make_tiles(points, folder, *, weights=None, columns=None, format=None, raw=N
         The folder. It is created, or must be empty, or hold the work of an earlier call with the same arguments.
     weights : (n,) array_like, str or int, optional
         The weights; for a file the name or number (from 0) of their column.
+    lattice : float, (d,) or (r, d) array_like, or ase.cell.Cell, optional
+        As for `delone.PeriodicDelaunay`: the set is periodic. With a file a single length does not tell the dimension.
+    axes : sequence of int or of bool, optional
+        The lattice vectors in whose directions it is periodic, as for `delone.PeriodicDelaunay`.
     columns : sequence of str or int, optional
         The columns of a file with the coordinates, by name or number. By default all others.
     format : str, optional
@@ -382,7 +406,7 @@ def make_tiles(points, folder, *, weights=None, columns=None, format=None, raw=N
         Continue from what an earlier call has left in the folder; of a finished folder make only those files again that are
         damaged or missing. Otherwise its tiles are removed first.
     vtu : bool, default False
-        Also write tiles.pvtu and a .vtu for each part, for ParaView (d <= 3).
+        Also write tiles.pvtu and a .vtu for each part, for ParaView (d <= 3). Not with a lattice.
     forecast : callable, optional
         Called once with a `Forecast`, before the first tile; returning a false value other than None cancels the call.
     damage : callable, optional
@@ -424,7 +448,12 @@ def make_tiles(points, folder, *, weights=None, columns=None, format=None, raw=N
     >>> tiles = delone.tiles.make_tiles(points, tempfile.mkdtemp(), tiles=3)
     >>> len(tiles), tiles.num_points
     (3, 1000)
+    >>> tiles = delone.tiles.make_tiles(points, tempfile.mkdtemp(), tiles=3, lattice=1.0)
+    >>> tiles.hash == delone.PeriodicDelaunay(points, 1.0).hash
+    True
     """
+    if axes is not None and lattice is None:
+        raise ValueError("axes: those of which lattice?")
     if forecast is not None and not callable(forecast):
         raise TypeError("forecast: a function of a Forecast, or None")
     if damage is not None and not callable(damage):
@@ -432,7 +461,8 @@ def make_tiles(points, folder, *, weights=None, columns=None, format=None, raw=N
     tell = None if forecast is None else lambda found: forecast(Forecast(*found))
     how = dict(memory=_bytes_of(memory), tiles=0 if tiles is None else _positive(tiles, "tiles"), threads=threads, resume=bool(resume),
                vtu=bool(vtu), forecast=tell, damage=damage or _warn_of_damage, progress=progress, format=format or "", columns=0 if raw is None else _positive(raw, "raw"),
-               coordinates=[] if columns is None else [str(each) for each in columns], weights="", weighted=weights is not None)
+               coordinates=[] if columns is None else [str(each) for each in columns], weights="", weighted=weights is not None,
+               lattice=[], dimension=0)
     if isinstance(points, (str, bytes, os.PathLike)):
         if raw is not None:
             if format is not None:
@@ -443,12 +473,25 @@ def make_tiles(points, folder, *, weights=None, columns=None, format=None, raw=N
                 raise TypeError("weights: of a file its column with the weights, a name or a number")
             how["weights"] = str(weights)
         given = os.fsencode(points)
+        dimension = None
     else:
         if columns is not None or format is not None or raw is not None:
             raise ValueError("columns, format and raw are for files")
         given = _rows_of(points, weights)
+        dimension = given.shape[1] - (weights is not None)
+    if lattice is not None:
+        rows = vectors(lattice, axes, _dimension_of(lattice) if dimension is None else dimension)
+        how.update(lattice=rows.ravel().tolist(), dimension=rows.shape[1])
     _core._make_tiles(given, os.fsencode(folder), **how)
     return Tiles(folder)
+
+
+def _dimension_of(lattice) -> int:
+    """The dimension of a lattice by itself."""
+    shape = np.shape(getattr(lattice, "cell", lattice))
+    if not shape:
+        raise ValueError("lattice: with a file, a length per axis, or vectors")
+    return shape[-1]
 
 
 def _warn_of_damage(files: Tuple[str, ...]) -> None:

@@ -6,6 +6,8 @@
 
 #include <delone/tiles.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -31,14 +33,15 @@ py::dict index_as_dict(const TilesIndex& index) {
                   "num_vertices"_a = index.num_vertices, "num_duplicates"_a = index.num_duplicates,
                   "num_hidden"_a = index.num_hidden, "num_cells"_a = index.num_cells,
                   "num_hull_facets"_a = index.num_hull_facets, "hash"_a = index.hash.hex(),
-                  "parts"_a = parts);
+                  "lattice"_a = index.lattice.vectors, "parts"_a = parts);
 }
 
 /// A path, or rows of numbers: of shape (n, d), or (n, d + 1) with weights.
 py::dict make(const py::object& input, const std::string& folder, std::uint64_t memory, std::size_t tiles,
-              int threads, bool weighted, const std::string& format, int columns,
-              std::vector<std::string> coordinates, std::string weights, bool resume, bool vtu,
-              const py::object& forecast, const py::object& damage, const py::object& progress) {
+              int threads, bool weighted, const std::string& format, int columns, int dimension,
+              std::vector<std::string> coordinates, std::string weights, std::vector<double> lattice,
+              bool resume, bool vtu, const py::object& forecast, const py::object& damage,
+              const py::object& progress) {
   TilesOptions options;
   options.memory = memory;
   options.tiles = tiles;
@@ -48,6 +51,7 @@ py::dict make(const py::object& input, const std::string& folder, std::uint64_t 
   options.columns = columns;
   options.coordinates = std::move(coordinates);
   options.weights = std::move(weights);
+  if (!lattice.empty()) options.lattice = {dimension, std::move(lattice)};
   options.resume = resume;
   options.vtu = vtu;
   Supervisor supervisor(progress);
@@ -80,6 +84,7 @@ py::dict read_index(const std::string& folder) {
 py::dict read_part(const std::string& folder, std::size_t number, std::int64_t first_cell) {
   Supervisor supervisor;
   std::vector<std::int64_t> neighbors;
+  std::vector<std::int32_t> neighbor_offsets;
   const auto data = std::make_shared<TileData>(supervisor.run([&] {
     TileData part = read_tile(folder, number);
     neighbors.reserve(part.neighbors.size());
@@ -87,19 +92,31 @@ py::dict read_part(const std::string& folder, std::size_t number, std::int64_t f
       neighbors.push_back(one >= 0    ? first_cell + one
                           : one == -1 ? -1
                                       : part.seams[static_cast<std::size_t>(-2 - std::int64_t{one})]);
+    const auto r = static_cast<std::size_t>(part.rank);
+    neighbor_offsets.resize(part.neighbors.size() * r);
+    for (std::size_t at = 0; at < part.neighbors.size() && r > 0; ++at)
+      if (part.neighbors[at] < -1)
+        std::copy_n(part.seam_offsets.begin() + (-2 - std::ptrdiff_t{part.neighbors[at]}) * part.rank, r,
+                    neighbor_offsets.begin() + static_cast<std::ptrdiff_t>(at * r));
     part.neighbors = {};
     return part;
   }));
   const auto d = static_cast<std::size_t>(data->dimension),
-             width = static_cast<std::size_t>(data->affine_dimension + 1);
+             width = static_cast<std::size_t>(data->affine_dimension + 1),
+             r = static_cast<std::size_t>(data->rank);
   const py::object none = py::none();
-  return py::dict("points"_a = rows_view(data->points, data->num_points(), d, data),
-                  "weights"_a = data->weights.empty() ? none : py::object(list_view(data->weights, data)),
-                  "rows"_a = list_view(data->rows, data),
-                  "cells"_a = rows_view(data->cells, data->num_cells(), width, data),
-                  "neighbors"_a = rows_view(std::move(neighbors), data->num_cells(), width),
-                  "own_rows"_a = list_view(data->own_rows, data),
-                  "vertex_of_row"_a = list_view(data->vertex_of_row, data));
+  return py::dict(
+      "points"_a = rows_view(data->points, data->num_points(), d, data),
+      "weights"_a = data->weights.empty() ? none : py::object(list_view(data->weights, data)),
+      "rows"_a = list_view(data->rows, data),
+      "cells"_a = rows_view(data->cells, data->num_cells(), width, data),
+      "neighbors"_a = rows_view(std::move(neighbors), data->num_cells(), width),
+      "cell_offsets"_a =
+          r == 0 ? none : py::object(rows_view(data->cell_offsets, data->num_cells(), width * r, data)),
+      "neighbor_offsets"_a =
+          r == 0 ? none : py::object(rows_view(std::move(neighbor_offsets), data->num_cells(), width * r)),
+      "own_rows"_a = list_view(data->own_rows, data),
+      "vertex_of_row"_a = list_view(data->vertex_of_row, data));
 }
 
 /// The highest level reached, its name, and the violation, if there is one, with its cells and rows.
@@ -126,8 +143,8 @@ py::dict check(const std::string& folder, const py::object& input, int level, bo
 
 void bind_tiles(py::module_& module) {
   module.def("_make_tiles", &make, "input"_a, "folder"_a, py::kw_only(), "memory"_a, "tiles"_a, "threads"_a,
-             "weighted"_a, "format"_a, "columns"_a, "coordinates"_a, "weights"_a, "resume"_a, "vtu"_a,
-             "forecast"_a, "damage"_a, "progress"_a,
+             "weighted"_a, "format"_a, "columns"_a, "dimension"_a, "coordinates"_a, "weights"_a, "lattice"_a,
+             "resume"_a, "vtu"_a, "forecast"_a, "damage"_a, "progress"_a,
              "Makes a folder of tiles from a path or an array, the last column of which may be weights, and "
              "returns its index.");
   module.def("_read_tiles_index", &read_index, "folder"_a, "The index of a folder of tiles.");

@@ -52,12 +52,14 @@ double cells_per_point(std::span<const double> sample, const Survey& survey) {
   return static_cast<double>(t.num_all_cells()) / static_cast<double>(t.num_vertices());
 }
 
-double ForeignShare::of(double n, std::size_t num_tiles) const {
-  if (num_tiles <= 1 || dimension < 1) return 0;
-  // A tile has no more foreign points than there are.
-  return std::min(share * cost_model::inner_faces(dimension, static_cast<double>(num_tiles)) *
-                      std::pow(n / points, -exponent),
-                  static_cast<double>(num_tiles - 1));
+double ForeignShare::of(double n, std::size_t num_tiles, int r) const {
+  if ((num_tiles <= 1 && r == 0) || dimension < 1) return 0;
+  const auto tiles = static_cast<double>(num_tiles);
+  // In a periodic set translates are beyond the sides of the box, which are those of some of the tiles.
+  const double faces = (num_tiles > 1 ? cost_model::inner_faces(dimension, tiles) : 0.0) +
+                       2 * r * std::pow(tiles, -1.0 / dimension);
+  // A tile has no more foreign points than there are; of translates, those next to the box.
+  return std::min(share * faces * std::pow(n / points, -exponent), tiles * std::pow(3.0, r) - 1);
 }
 
 ForeignShare ForeignShare::of_uniform_points(int dimension) {
@@ -97,7 +99,7 @@ TilesForecast plan_tiles(const Survey& survey, const SetModel& model, const Tile
   const auto evaluate = [&](std::size_t tiles) {
     forecast.num_tiles = tiles;
     const double own = n / static_cast<double>(tiles);
-    forecast.foreign_share = model.foreign.of(own, tiles);
+    forecast.foreign_share = model.foreign.of(own, tiles, options.lattice.rank());
     forecast.bytes_per_tile = static_cast<std::uint64_t>(
         expected_tile_bytes(d, k, own * (1 + forecast.foreign_share), model.cells_per_point));
   };

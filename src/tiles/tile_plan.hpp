@@ -22,8 +22,8 @@ struct ForeignShare {
   double share = 0, points = 1, exponent = 0;
   int dimension = 0;  ///< k
 
-  /// Of a tile of n points, one of `num_tiles`.
-  double of(double n, std::size_t num_tiles) const;
+  /// Of a tile of n points, one of `num_tiles`, in a set that is periodic in r directions.
+  double of(double n, std::size_t num_tiles, int r = 0) const;
   /// Of uniform points: c_k · F · n^(−1/k).
   static ForeignShare of_uniform_points(int dimension);
   /// Measured on tiles of two parts of the sample, one eight times as large as the other: points on a

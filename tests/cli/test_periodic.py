@@ -68,6 +68,28 @@ class Periodic(Case):
         np.savez(path, **damaged)
         self.run_delone("check", path, status=1)
 
+    def test_tiles(self):
+        points, box = self.file("points.npy", POINTS), self.file("box.csv", "1,0,0\n0,1,0\n3,0,1\n")
+        for name, lattice in (("cube/", ["1,1,1"]), ("skewed/", [box]), ("slab/", ["1,1,9", "--periodic", "xy"])):
+            made = self.stats("--lattice", *lattice, "-o", self.path(name), "--tiles", "3", "--quiet")
+            whole = self.stats("--lattice", *lattice)
+            self.assertEqual((made["hash"], made["cells"], made["parts"]), (whole["hash"], whole["cells"], 3))
+            self.assertIn("a periodic Delaunay triangulation of its vertices", self.output("check", "--canonical", self.path(name)))
+            self.assertIn("lattice vectors", self.output("info", self.path(name)))
+        weighted = self.file("weighted.npy", np.column_stack([POINTS, POINTS[:, 0] / 50]))
+        made = json.loads(self.output("regular", weighted, "--weights", "3", "--lattice", "1,1,1", "--stats", "--quiet", "-o", self.path("weighted/")))
+        whole = json.loads(self.output("regular", weighted, "--weights", "3", "--lattice", "1,1,1", "--stats"))
+        self.assertEqual((made["hash"], made["hidden"]), (whole["hash"], whole["hidden"]))
+        self.assertIn("which are not compared with points", self.complaint("check", self.path("cube/"), "--points", points, status=64))
+
+    def test_what_tiles_do_not_take(self):
+        points = self.file("points.npy", POINTS)
+        for arguments, words, status in ((["1"], "a length per axis", 64), (["1,1"], "the lattice has 2 dimensions, not 3", 2),
+                                         (["none"], "neither lengths nor a file", 2), (["1,1,1", "--unit", "0.1"], "--unit", 64),
+                                         (["1,1,1", "--exact"], "--exact", 64), (["1,1,1", "--vtu"], "--vtu", 64)):
+            self.assertIn(words, self.complaint("delaunay", points, "--lattice", *arguments, "-o", self.path("no/"), status=status))
+        self.assertIn("--tiles", self.complaint("delaunay", points, "--lattice", "1", "--tiles", "2", status=64))
+
     def test_time_limits_end_questions(self):
         one = self.file("one.npy", POINTS[:1].repeat(3, axis=0).reshape(1, -1)[:, :7])
         self.complaint("delaunay", one, "--lattice", "1", "--time", "0.2", status=3)

@@ -305,3 +305,46 @@ def test_full_disk(tmp_path):
     assert text.startswith("ready\nError ") and "File too large" in text
     points = np.random.default_rng(3).random((20_000, 3))
     assert run(tmp_path / "out").communicate(timeout=60)[0] == f"ready\n{delone.Delaunay(points).hash}\n"
+
+
+@pytest.mark.parametrize("axes", [None, [0, 1]])
+def test_periodic(tmp_path, axes):
+    points = delone.generate("uniform", 2000, 3, seed=3)
+    whole = delone.PeriodicDelaunay(points, 1.0, axes)
+    made = tiles.make_tiles(points, tmp_path / "out", tiles=4, lattice=1.0, axes=axes)
+    assert made.hash == whole.hash and "periodic Delaunay" in repr(made)
+    assert (made.lattice == whole.lattice).all()
+    volume = 0.0
+    for part in made:
+        corners = part.points[part.cells] + part.cell_offsets @ made.lattice
+        volume += np.linalg.det(corners[:, 1:] - corners[:, :1]).sum() / 6
+        # Neighbors share the facet opposite their vertex.
+        cell = int(np.flatnonzero((part.neighbors >= part.first_cell + len(part.cells)).any(axis=1))[0]) if part.number == 0 else None
+        if cell is None:
+            continue
+        i = int(np.flatnonzero(part.neighbors[cell] >= part.first_cell + len(part.cells))[0])
+        other = next(p for p in made if p.first_cell <= part.neighbors[cell, i] < p.first_cell + len(p.cells))
+        at = part.neighbors[cell, i] - other.first_cell
+        there = other.points[other.cells[at]] + (other.cell_offsets[at] + part.neighbor_offsets[cell, i]) @ made.lattice
+        shared = {tuple(p) for p in there.tolist()} & {tuple(p) for p in corners[cell].tolist()}
+        assert len(shared) == 3
+    if axes is None:
+        assert abs(volume - 1) < 1e-12
+    assert made.check() and tiles.Tiles(tmp_path / "out").check(canonical=True)
+
+
+def test_periodic_files_and_weights(tmp_path):
+    points, weights = delone.generate("uniform", 500, 2, seed=4), np.linspace(0, 0.01, 500)
+    np.save(tmp_path / "points.npy", np.column_stack([points, weights]))
+    whole = delone.PeriodicRegular(points, weights, [1.0, 1.0])
+    made = tiles.make_tiles(tmp_path / "points.npy", tmp_path / "file", weights="2", tiles=3, lattice=[1.0, 1.0])
+    assert made.hash == whole.hash and made.num_hidden == whole.num_hidden > 0
+    assert tiles.make_tiles(points, tmp_path / "array", weights=weights, tiles=2, lattice=1.0).hash == whole.hash
+    with pytest.raises(ValueError, match="a length per axis"):
+        tiles.make_tiles(tmp_path / "points.npy", tmp_path / "no", weights="2", lattice=1.0)
+    with pytest.raises(ValueError, match="which lattice"):
+        tiles.make_tiles(points, tmp_path / "no", axes=[0])
+    with pytest.raises(delone.Error, match="not compared"):
+        made.check(points=points, weights=weights)
+    with pytest.raises(delone.Error, match="vtu"):
+        tiles.make_tiles(points, tmp_path / "no", lattice=1.0, vtu=True)

@@ -105,7 +105,7 @@ class Run {
         options.tiles = plan->num_tiles;
     const std::uint64_t memory = memory_for_tiles();
     forecast_ = plan_tiles(survey_, model_, options, memory);
-    if (forecast_.num_tiles > 1) {
+    if (forecast_.num_tiles > 1 || is_periodic()) {
       model_.foreign = ForeignShare::of_sample(sample_, survey_.dimension);
       forecast_ = plan_tiles(survey_, model_, options, memory);
     }
