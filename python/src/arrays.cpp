@@ -359,9 +359,9 @@ std::span<const double> as_vector(const py::object& object, int dimension) {
   if (array->nd != 1 || array->dimensions[0] != dimension) return {};
   const std::span<const double> all(reinterpret_cast<const double*>(array->data),
                                     static_cast<std::size_t>(dimension));
-  return std::all_of(all.begin(), all.end(), [](double x) { return std::isfinite(x); })
-             ? all
-             : std::span<const double>();
+  const bool are_moderate =
+      std::all_of(all.begin(), all.end(), [](double x) { return std::fabs(x) < 0x1p900; });
+  return are_moderate ? all : std::span<const double>();
 }
 
 std::optional<Box> as_box(const py::object& object) {

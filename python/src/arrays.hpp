@@ -57,8 +57,8 @@ inline std::span<const double> numbers(const py::array_t<double>& array) {
   return {array.data(), static_cast<std::size_t>(array.size())};
 }
 
-/// The numbers of an array, of no subclass, that is C-contiguous float64 of shape (dimension,) and finite;
-/// nothing for anything else.
+/// The numbers of an array, of no subclass, that is C-contiguous float64 of shape (dimension,), if all are
+/// below 2^900 in magnitude; nothing for anything else.
 std::span<const double> as_vector(const py::object& object, int dimension);
 
 /// (low, high), or nothing for None.

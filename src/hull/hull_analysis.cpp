@@ -129,8 +129,9 @@ HullCells HullAnalysis::cells() const {
   cells.cells = rows_of(hull.cells);
   cells.neighbors.assign(hull.neighbors.begin(), hull.neighbors.end());
   if (!locator_ && num_extreme() > 0) cells.vertices.push_back(state_.row(state_.basis()[0]));
+  const std::vector<char>& is_extreme = faces().is_extreme;
   for (Index site = 0; locator_ && site < state_.sites().size(); ++site)
-    if (faces().is_extreme[site] != 0) cells.vertices.push_back(state_.row(site));
+    if (is_extreme[site] != 0) cells.vertices.push_back(state_.row(site));
   std::sort(cells.vertices.begin(), cells.vertices.end());
   return cells;
 }

@@ -13,10 +13,23 @@ class Walls {
  public:
   explicit Walls(const HullState& hull) : hull_(hull), analysis_(hull), grid_(hull.sites().grid) {
     grid_.include(hull.boundary()->center().data());
+    const Lists& cells_of_facet = analysis_.faces().cells_of_facet;
+    for (std::size_t f = 0; f < cells_of_facet.size(); ++f) {
+      const auto cell = hull.hull().cell(cells_of_facet[f][0]);
+      for (std::size_t axis = 0; axis < cell.size(); ++axis) {
+        const double value = hull.sites().point(cell[0])[axis];
+        if (std::all_of(cell.begin(), cell.end(),
+                        [&](Index site) { return hull.sites().point(site)[axis] == value; }))
+          axis_parallel_.push_back({axis, value, f});
+      }
+    }
   }
 
-  /// 0 for a site in the interior, and a number for each facet.
+  /// 0 for a site in the interior, and a number for each facet. A site of the hull that is on the hyperplane
+  /// of a facet is on the facet.
   std::size_t wall(Index site) {
+    for (const auto& [axis, value, facet] : axis_parallel_)
+      if (hull_.sites().point(site)[axis] == value) return 1 + facet;
     const HullLocator::Result found =
         analysis_.locator()->locate_from(cell_, hull_.sites().point(site), grid_);
     cell_ = found.cell;
@@ -33,8 +46,16 @@ class Walls {
   }
 
  private:
+  /// A facet in the hyperplane of a coordinate with this value.
+  struct AxisParallel {
+    std::size_t axis;
+    double value;
+    std::size_t facet;
+  };
+
   const HullState& hull_;
   HullAnalysis analysis_;
+  std::vector<AxisParallel> axis_parallel_;
   kernel::Grid grid_;
   std::size_t cell_ = 0;
 };

@@ -137,7 +137,7 @@ def test_single_queries_of_all_forms_get_the_answer_of_a_batch(points, furthest)
         found = [tri.find_simplex(form(i)) for i in range(len(queries))]
         assert [int(each) for each in found] == expected
         assert all(type(each) is np.ndarray and each.shape == () and each.dtype == np.intc for each in found)
-    for bad in (np.nan, np.inf):
+    for bad in (np.nan, np.inf, 1e300, -1e308):
         assert tri.find_simplex(np.full(points.shape[1], bad)) == -1
     with pytest.raises(ValueError):
         tri.find_simplex(np.zeros(points.shape[1] + 1))

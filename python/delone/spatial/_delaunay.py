@@ -79,11 +79,9 @@ class _Search:
         return np.flatnonzero(beyond.max(axis=1) <= reach + self._rounding)
 
     def is_far(self, query: np.ndarray) -> bool:
-        """Whether no simplex accepts the query within the default tolerance; False if half-spaces do not tell."""
-        if self._normals is None:
-            return False
-        with np.errstate(all="ignore"):
-            return (self._normals @ query - self._offsets).max() > self._default_reach + self._rounding
+        """Whether no simplex accepts the query, of numbers below 2**900, within the default tolerance; False if half-spaces do not
+        tell."""
+        return self._normals is not None and (self._normals @ query - self._offsets).max() > self._default_reach + self._rounding
 
 
 class Delaunay(OfPoints):

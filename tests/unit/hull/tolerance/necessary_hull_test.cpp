@@ -162,5 +162,25 @@ TEST(NecessaryHull, CanBeCancelled) {
   EXPECT_THROW(find_necessary_hull(points, 3, AxisScale(1e-13), options), Error);
 }
 
+// A polygon with a vertical edge on the right. One more point is the rightmost one, but nearer to that edge
+// than the tolerance.
+TEST(NecessaryHull, NoVertexIsKeptThatIsNearTheOthers) {
+  constexpr std::size_t n = 96;
+  constexpr double tolerance = 1e-6, pi = 3.14159265358979;
+  std::vector<double> points;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double angle = 2 * pi * (static_cast<double>(i) + 0.5) / n;
+    points.insert(points.end(), {std::cos(angle), std::sin(angle)});
+  }
+  points[2 * n - 2] = points[0];
+  EXPECT_TRUE(agrees_if_found(points, 2, tolerance));
+  for (const double share : {0.5, 2.0})
+    for (const std::size_t at : {std::size_t{0}, n / 2, n}) {
+      std::vector<double> more = points;
+      more.insert(more.begin() + static_cast<std::ptrdiff_t>(2 * at), {points[0] + share * tolerance, 0});
+      EXPECT_EQ(agrees_if_found(more, 2, tolerance), share > 1) << share << ' ' << at;
+    }
+}
+
 }  // namespace
 }  // namespace delone::hull
