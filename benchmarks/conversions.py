@@ -112,7 +112,7 @@ def main():
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--patience", type=float, default=5)
     parser.add_argument("--record", action="store_true", help="write the figures to benchmarks/history/")
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
     delone = next(path for path in (options.build / "cli" / "delone", options.build / "delone") if path.exists())
     programs = {"delone": (by_delone, delone), "ppl": (by_ppl, options.build / "rivals" / "polyhedra_ppl"), "lrs": (by_lrs, "lrs"), "cddlib": (by_cddlib, "cddexec_gmp")}
     results = {}
