@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Times the two methods of conversions of polyhedra, each alone, and the choice between them, on the three sets of polyhedra_families.py.
+"""Times the two methods of conversions of polyhedra, each alone, and the choice between them, on the sets of polyhedra_families.py.
 
   benchmarks/methods.py build/bench                        all sets
   benchmarks/methods.py build/bench --set unseen torus     members of one set whose names contain a word
@@ -64,7 +64,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("words", nargs="*")
-    parser.add_argument("--set", choices=["named", "held-out", "unseen"])
+    parser.add_argument("--set", choices=families.SETS)
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--patience", type=float, default=4)
     parser.add_argument("--record", action="store_true", help="write the figures to benchmarks/history/")
@@ -73,7 +73,7 @@ def main():
     results = {}
     print(f"{'polyhedron':<20}{'rays':>8}" + "".join(f"{method:>11}" for method in METHODS) + f"{'ratio':>8}{'lost':>9}")
     with tempfile.TemporaryDirectory() as folder:
-        for which, members in {"named": families.NAMED, "held-out": families.HELD_OUT, "unseen": families.UNSEEN}.items():
+        for which, members in families.SETS.items():
             for name, make in members.items():
                 if options.set not in (None, which) or not all(word in name for word in options.words):
                     continue
