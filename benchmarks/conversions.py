@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Times `delone polyhedron` beside PPL, lrs and cddlib in rational numbers, on the three sets of polyhedra_families.py.
+"""Times `delone polyhedron` beside PPL, lrs and cddlib in rational numbers, on the sets of polyhedra_families.py.
 
   benchmarks/conversions.py build/bench                          all sets
   benchmarks/conversions.py build/bench --set held-out cross     members of one set whose names contain a word
@@ -107,23 +107,22 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("words", nargs="*")
-    parser.add_argument("--set", choices=["named", "held-out", "unseen"])
+    parser.add_argument("--set", choices=families.SETS)
     parser.add_argument("--files", type=pathlib.Path)
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--patience", type=float, default=5)
     parser.add_argument("--record", action="store_true", help="write the figures to benchmarks/history/")
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
     delone = next(path for path in (options.build / "cli" / "delone", options.build / "delone") if path.exists())
     programs = {"delone": (by_delone, delone), "ppl": (by_ppl, options.build / "rivals" / "polyhedra_ppl"), "lrs": (by_lrs, "lrs"), "cddlib": (by_cddlib, "cddexec_gmp")}
     results = {}
     print(f"{'polyhedron':<20}{'rows':>8}" + "".join(f"{name:>10}" for name in programs) + f"{'ratio':>8}")
     with tempfile.TemporaryDirectory() as folder:
-        sets = {"named": families.NAMED, "held-out": families.HELD_OUT, "unseen": families.UNSEEN}
         inputs = []
         if options.files:
             inputs = [("files", path) for path in sorted(options.files.glob("*.*")) if path.suffix in (".ine", ".ext")]
         else:
-            for which, members in sets.items():
+            for which, members in families.SETS.items():
                 for name, make in members.items():
                     if options.set in (None, which) and all(word in name for word in options.words):
                         description = make()

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Polyhedra of many kinds as files of cddlib and lrs, in three sets: NAMED, which the methods were chosen by, HELD_OUT, other families, dimensions
-and seeds, which later changes were tuned by as well, and UNSEEN, again others, written before any of them was measured and tuned by for nothing.
+"""Polyhedra of many kinds as files of cddlib and lrs, in four sets: NAMED, which the methods were chosen by; HELD_OUT, other families, dimensions
+and seeds, which later changes were tuned by as well; UNSEEN, again others, which conversions were first measured by when they were complete, and the choice
+of methods was tuned by afterwards; and LATER, in few dimensions, where there is a choice, written before any of them was measured and tuned by for nothing.
 
 A member is a function without arguments that returns an H (inequalities) or V (generators) with rows of integers, homogeneous coordinate first:
 b + a·x ≥ 0 and (1, v), (0, r), as these programs have them."""
@@ -355,3 +356,13 @@ UNSEEN = {
     "sums5": lambda: bounded_sums(120, 5, 109), "sums7": lambda: bounded_sums(40, 7, 110), "sums3": lambda: bounded_sums(1500, 3, 111),
     "torus4": lambda: torus(300, 4, 112), "torus6": lambda: torus(90, 6, 113), "torus8": lambda: torus(40, 8, 114),
     "rays5": lambda: rays_in_orthant(300, 5, 20, 115), "rays7": lambda: rays_in_orthant(70, 7, 9, 116), "rays9": lambda: rays_in_orthant(40, 9, 3, 117)}
+
+LATER = {
+    "sphere150-5": lambda: sphere(150, 5, 201), "sphere90-6": lambda: sphere(90, 6, 202), "gauss1500-3": lambda: gauss(1500, 3, 203),
+    "gauss600-6": lambda: gauss(600, 6, 204), "tangents400-4": lambda: tangents(400, 4, 205), "tangents100-6": lambda: tangents(100, 6, 206),
+    "torus200-4": lambda: torus(200, 4, 207), "zonotope5": lambda: zonotope(5, 9, 208), "zonotope3": lambda: zonotope(3, 14, 209),
+    "lattice300-4": lambda: lattice_points(300, 4, 6, 210), "lattice500-3": lambda: lattice_points(500, 3, 9, 211),
+    "epigraph5": lambda: epigraph(5, 200, 212), "sums4": lambda: bounded_sums(200, 4, 213), "cyclic80-4": lambda: cyclic(80, 4, -40),
+    "cyclic26-6": lambda: cyclic(26, 6, -13), "rays6": lambda: rays_in_orthant(120, 6, 30, 214)}
+
+SETS = {"named": NAMED, "held-out": HELD_OUT, "unseen": UNSEEN, "later": LATER}

@@ -181,4 +181,26 @@ DELONE_EXPORT Polyhedron to_polyhedron(const IntersectionData& intersection, con
 /// Throws Errc::invalid_argument if the data are without points, otherwise as Polyhedron::from_generators().
 DELONE_EXPORT Polyhedron to_polyhedron(const HullData& hull, const Options& options = {});
 
+/// What several polyhedra of a list have in common.
+struct DELONE_EXPORT_TYPE PolyhedraIntersection {
+  std::vector<std::size_t> members;  ///< numbers in the list, increasing, at least two
+  Polyhedron polyhedron;
+};
+
+/// The intersections of two and more of the polyhedra, those of full affine dimension d: first of two, then
+/// of three, and so on, each number of members in lexicographic order. `most_members`: 2 finds pairs alone; 0
+/// is no limit. n polyhedra that all have a common part have 2^n − n − 1 of them. Throws Errc::bad_dimension
+/// unless all have the same d, otherwise as what makes a Polyhedron.
+DELONE_EXPORT std::vector<PolyhedraIntersection> intersections(std::span<const Polyhedron> polyhedra,
+                                                               std::size_t most_members = 0,
+                                                               const Options& options = {});
+
+/// The d-dimensional volume of the union, exact: nothing if it is infinite, 0 without polyhedra. Each
+/// polyhedron counts what the earlier ones have not: its volume less that of the union of its intersections
+/// with them. Intersections within others, and those without volume, are left out. The number of the others
+/// is what is paid for: without such, and if all polyhedra have a common part, 2^n. Throws as
+/// intersections().
+DELONE_EXPORT std::optional<Rational> union_volume(std::span<const Polyhedron> polyhedra,
+                                                   const Options& options = {});
+
 }  // namespace delone

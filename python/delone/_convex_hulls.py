@@ -31,6 +31,8 @@ class ConvexHulls:
     ----------
     offsets : (h+1,) ndarray of int64
         Set i consists of the rows ``offsets[i]:offsets[i+1]`` of all points together.
+    points : (n, d) ndarray of float64
+        A copy of all points together.
     affine_dimensions : (h,) ndarray of int32
         The dimension k <= d of the smallest flat that contains each set; 0 for one distinct point, -1 for none.
     vertex_offsets : (h+1,) ndarray of int64
@@ -62,11 +64,11 @@ class ConvexHulls:
     array([0, 1, 2], dtype=int32)
     """
 
-    __slots__ = ("affine_dimensions", "areas", "cell_offsets", "cells", "equations", "neighbors", "offsets", "vertex_offsets",
+    __slots__ = ("affine_dimensions", "areas", "cell_offsets", "cells", "equations", "neighbors", "offsets", "points", "vertex_offsets",
                  "vertices", "volumes")
 
-    def __init__(self, offsets, affine_dimensions, vertex_offsets, vertices, cell_offsets, cells, neighbors, equations, volumes, areas):
-        self.offsets, self.affine_dimensions = offsets, affine_dimensions
+    def __init__(self, offsets, points, affine_dimensions, vertex_offsets, vertices, cell_offsets, cells, neighbors, equations, volumes, areas):
+        self.offsets, self.points, self.affine_dimensions = offsets, points, affine_dimensions
         self.vertex_offsets, self.vertices = vertex_offsets, vertices
         self.cell_offsets, self.cells, self.neighbors, self.equations = cell_offsets, cells, neighbors, equations
         self.volumes, self.areas = volumes, areas
@@ -91,6 +93,64 @@ class ConvexHulls:
 
     def __repr__(self) -> str:
         return f"<delone.ConvexHulls: {len(self)} hulls, {len(self.vertices)} vertices, {len(self.cells)} cells>"
+
+    def intersection_volumes(self, pairs=None, *, threads=0, progress=None) -> np.ndarray:
+        """Compute the volumes that pairs of hulls have in common.
+
+        Parameters
+        ----------
+        pairs : (p, 2) array_like of int, optional
+            Numbers of hulls, from 0. By default all pairs.
+        threads : int, default 0
+            The most threads to use; 0: one per core of this process if the work is large enough to gain by it.
+        progress : bool or callable, optional
+            As for `convex_hulls`.
+
+        Returns
+        -------
+        (p,) or (h, h) ndarray of float64
+            The volume of the intersection for each of the pairs, or for all of them a symmetric matrix with the volumes of the
+            hulls on its diagonal. 0 with a flat hull. Each is off by some roundings of the sizes of the hulls.
+
+        Raises
+        ------
+        IndexError
+            If there is no hull of such a number.
+        ValueError
+            If `pairs` is no array (p, 2).
+        CancelledError
+            If the progress function cancels the call.
+
+        See Also
+        --------
+        intersections : Exact intersections of two and more polyhedra.
+        union_volume : The exact volume of the union.
+
+        Examples
+        --------
+        >>> import delone
+        >>> hulls = delone.convex_hulls([[[0, 0], [2, 0], [0, 2], [2, 2]], [[1, 1], [3, 1], [1, 4]]])
+        >>> hulls.intersection_volumes()
+        array([[4., 1.],
+               [1., 3.]])
+        >>> hulls.intersection_volumes([[0, 1]])
+        array([1.])
+        """
+        h = len(self)
+        if pairs is None:
+            wanted = np.argwhere(np.triu(np.ones((h, h), dtype=bool), 1))
+        else:
+            wanted = np.asarray(pairs)
+            if wanted.ndim != 2 or wanted.shape[1] != 2 or (wanted.dtype.kind not in "iu" and wanted.size):
+                raise ValueError("pairs: an array (p, 2) of whole numbers")
+            for row in np.flatnonzero(((wanted < 0) | (wanted >= h)).any(axis=1)):
+                raise IndexError(f"pairs: row {row} is {tuple(wanted[row].tolist())}, and there are {h} hulls")
+        volumes = _core._intersection_volumes(self, wanted.astype(np.int64), threads, progress)
+        if pairs is not None:
+            return volumes
+        matrix = np.diag(self.volumes)
+        matrix[wanted[:, 0], wanted[:, 1]] = matrix[wanted[:, 1], wanted[:, 0]] = volumes
+        return matrix
 
 
 def convex_hulls(points, offsets=None, *, seed=0, order="automatic", threads=0, progress=None, memory_limit=None,

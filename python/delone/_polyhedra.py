@@ -129,6 +129,144 @@ def save(self, path, format: Optional[str] = None) -> None:
     self._save(path, format or "")
 
 
+class PolyhedraIntersection(NamedTuple):
+    """What several polyhedra of a list have in common.
+
+    Parameters
+    ----------
+    members : tuple of int
+        Their numbers in the list, increasing, at least two.
+    polyhedron : Polyhedron
+        The intersection.
+
+    Examples
+    --------
+    >>> import delone
+    >>> left, right = (delone.Polyhedron.from_generators([[x], [x + 2]]) for x in (0, 1))
+    >>> delone.intersections([left, right])[0].members
+    (0, 1)
+    """
+
+    members: tuple[int, ...]
+    polyhedron: _core.Polyhedron
+
+
+def intersections(polyhedra, most_members=None, *, threads=0, progress=None, memory_limit=None, time_limit=None) -> list[PolyhedraIntersection]:
+    """Intersect two and more of several polyhedra, all combinations that have a volume.
+
+    Parameters
+    ----------
+    polyhedra : sequence of Polyhedron
+        The polyhedra, all in d dimensions.
+    most_members : int, optional
+        The most polyhedra that are intersected; 2 finds pairs alone. By default there is no limit.
+    threads : int, default 0
+        The most threads to use; 0: one per core of this process if the work is large enough to gain by it.
+    progress : bool or callable, optional
+        True shows a progress bar. A function is called about ten times a second with the fraction done, 0 to 1; returning a
+        false value other than None cancels the call.
+    memory_limit : float, optional
+        The most bytes that the process may use during the call.
+    time_limit : float, optional
+        The most seconds that the call may take.
+
+    Returns
+    -------
+    list of PolyhedraIntersection
+        The intersections of affine dimension d: first of two, then of three, and so on.
+
+    Raises
+    ------
+    TypeError
+        If something else than a `Polyhedron` is in the sequence.
+    ValueError
+        If `most_members` is less than 2.
+    Error
+        If the polyhedra have different dimensions.
+    CancelledError, OutOfMemoryError, TimeLimitError
+        If the progress function cancels the call, or a limit is reached.
+
+    See Also
+    --------
+    Polyhedron.intersection : The intersection of two, also one that is flat.
+    union_volume : The volume of the union.
+    ConvexHulls.intersection_volumes : Volumes alone, of pairs, in doubles.
+
+    Notes
+    -----
+    An intersection is made from one with a member less, if that has a volume. n polyhedra that all have a common part have
+    2^n - n - 1 intersections.
+
+    Examples
+    --------
+    >>> import delone
+    >>> squares = [delone.Polyhedron.from_generators([[x, 0], [x + 3, 0], [x, 3], [x + 3, 3]]) for x in (0, 1, 2, 4)]
+    >>> for members, shared in delone.intersections(squares):
+    ...     print(members, shared.volume_fraction)
+    (0, 1) 6
+    (0, 2) 3
+    (1, 2) 6
+    (2, 3) 3
+    (0, 1, 2) 3
+    """
+    if most_members is not None and most_members < 2:
+        raise ValueError(f"most_members: at least 2, not {most_members}")
+    return [PolyhedraIntersection(*fields)
+            for fields in _core._intersections(polyhedra, most_members or 0, threads, progress, memory_limit, time_limit)]
+
+
+def union_volume(polyhedra, *, threads=0, progress=None, memory_limit=None, time_limit=None) -> Optional[Fraction]:
+    """Compute the volume of the union of polyhedra, exactly.
+
+    Parameters
+    ----------
+    polyhedra : sequence of Polyhedron
+        The polyhedra, all in d dimensions.
+    threads : int, default 0
+        The most threads to use; 0: one per core of this process if the work is large enough to gain by it.
+    progress : bool or callable, optional
+        True shows a progress bar. A function is called about ten times a second with the fraction done, 0 to 1; returning a
+        false value other than None cancels the call.
+    memory_limit : float, optional
+        The most bytes that the process may use during the call.
+    time_limit : float, optional
+        The most seconds that the call may take.
+
+    Returns
+    -------
+    fractions.Fraction or None
+        The d-dimensional volume; None if it is infinite.
+
+    Raises
+    ------
+    TypeError
+        If something else than a `Polyhedron` is in the sequence.
+    Error
+        If the polyhedra have different dimensions.
+    CancelledError, OutOfMemoryError, TimeLimitError
+        If the progress function cancels the call, or a limit is reached.
+
+    See Also
+    --------
+    intersections : The intersections themselves.
+    Polyhedron.convex_union : The smallest polyhedron that contains two.
+
+    Notes
+    -----
+    Inclusion and exclusion: each polyhedron adds what the earlier ones do not have, which is its volume less that of the union of
+    its intersections with them. Intersections within others and those without volume are left out. What is left is paid for; if
+    nothing is left out, these are 2^n for n polyhedra.
+
+    Examples
+    --------
+    >>> import delone
+    >>> squares = [delone.Polyhedron.from_generators([[x, x], [x + 2, x], [x, x + 2], [x + 2, x + 2]]) for x in range(5)]
+    >>> delone.union_volume(squares)
+    Fraction(16, 1)
+    """
+    return _core._union_volume(polyhedra, threads, progress, memory_limit, time_limit)
+
+
 class GeneratorsOfPolyhedron(NamedTuple):
     """One polyhedron of PolyhedraVertices."""
 

@@ -334,6 +334,40 @@ void bind_faces_of_polyhedra(PolyhedronClass& type) {
           text(docs::polyhedra::f_vector));
 }
 
+std::vector<Polyhedron> as_polyhedra(const py::object& given) {
+  if (!py::isinstance<py::iterable>(given))
+    throw py::type_error("polyhedra: a sequence of Polyhedron, not " + shown(given));
+  std::vector<Polyhedron> polyhedra;
+  for (const py::handle item : given) {
+    if (!py::isinstance<HeldPolyhedron>(item))
+      throw py::type_error("polyhedra: " + std::to_string(polyhedra.size()) + " is " + shown(item) +
+                           ", not a Polyhedron");
+    polyhedra.push_back(item.cast<const HeldPolyhedron&>().polyhedron());
+  }
+  return polyhedra;
+}
+
+py::object volume_of_union(const py::object& given, int threads, const py::object& progress,
+                           const py::object& memory_limit, const py::object& time_limit) {
+  const std::vector<Polyhedron> polyhedra = as_polyhedra(given);
+  const CallArguments call{threads, progress, memory_limit, time_limit};
+  const auto found = call.run([&](const Options& options) { return union_volume(polyhedra, options); });
+  return found ? to_fraction(*found) : py::none();
+}
+
+py::list intersections_of(const py::object& given, std::size_t most_members, int threads,
+                          const py::object& progress, const py::object& memory_limit,
+                          const py::object& time_limit) {
+  const std::vector<Polyhedron> polyhedra = as_polyhedra(given);
+  const CallArguments call{threads, progress, memory_limit, time_limit};
+  py::list all;
+  for (PolyhedraIntersection& part :
+       call.run([&](const Options& options) { return intersections(polyhedra, most_members, options); }))
+    all.append(py::make_tuple(py::tuple(py::cast(part.members)),
+                              std::make_unique<HeldPolyhedron>(std::move(part.polyhedron))));
+  return all;
+}
+
 }  // namespace
 
 void bind_polyhedra(py::module_& module) {
@@ -381,6 +415,10 @@ void bind_polyhedra(py::module_& module) {
           },
           "path"_a, "format"_a)
       .def(py::pickle(&state_of_polyhedron, &restored_polyhedron));
+  module.def("_union_volume", &volume_of_union, "polyhedra"_a, "threads"_a, "progress"_a, "memory_limit"_a,
+             "time_limit"_a, "What delone.union_volume returns.");
+  module.def("_intersections", &intersections_of, "polyhedra"_a, "most_members"_a, "threads"_a, "progress"_a,
+             "memory_limit"_a, "time_limit"_a, "The fields of each delone.PolyhedraIntersection.");
 }
 
 }  // namespace delone::python

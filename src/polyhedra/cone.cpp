@@ -4,7 +4,6 @@
 #include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
 #include "base/quick_rounds.hpp"
-#include "polyhedra/double_description.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -140,7 +139,8 @@ RowOrder order_rows(const Rows& rows, std::size_t dimension) {
 
 }  // namespace
 
-ConeRays find_rays(const Rows& input, const Rows& equations, std::size_t dimension, unsigned threads) {
+ConeRays find_rays(const Rows& input, const Rows& equations, std::size_t dimension, unsigned threads,
+                   PointedMethod method) {
   const Solutions solutions(equations, dimension);
   const DistinctRows distinct = distinct_rows(input, solutions);
   const RowOrder order = order_rows(distinct.rows, solutions.dimension());
@@ -163,7 +163,7 @@ ConeRays find_rays(const Rows& input, const Rows& equations, std::size_t dimensi
     cone.rows.push_back(std::move(row));
   }
   cone.first_rays = rays_of_simplicial(cone.rows, d);
-  PointedRays found = find_rays_of_pointed(cone, threads);
+  PointedRays found = method(cone, threads);
 
   std::vector<std::vector<std::size_t>> inputs(cone.rows.size());
   std::vector<std::size_t> zero_rows;

@@ -12,6 +12,7 @@
 #pragma once
 
 #include "polyhedra/bit_rows.hpp"
+#include "polyhedra/double_description.hpp"
 #include "polyhedra/integer_rows.hpp"
 
 #include <cstddef>
@@ -28,7 +29,12 @@ struct ConeRays {
   BitRows zeros;
 };
 
-/// Throws Errc::cancelled, too_many, and at limits. `threads`: as Options::threads.
-ConeRays find_rays(const Rows& rows, const Rows& equations, std::size_t dimension, unsigned threads = 1);
+/// Finds the rays of a pointed cone, in up to so many threads (Options::threads).
+using PointedMethod = PointedRays (*)(const PointedCone& cone, unsigned threads);
+
+/// Throws Errc::cancelled, too_many, and at limits. `threads`: as Options::threads. `method`: another one is
+/// for measurements.
+ConeRays find_rays(const Rows& rows, const Rows& equations, std::size_t dimension, unsigned threads = 1,
+                   PointedMethod method = find_rays_of_pointed);
 
 }  // namespace delone::polyhedra

@@ -10,9 +10,9 @@
 
 #include <algorithm>
 #include <functional>
-#include <iterator>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace delone::polyhedra {
@@ -27,6 +27,31 @@ class Steps {
 
   /// Goes on until all calls have taken this many seconds. Returns whether it has come to the end.
   bool run_until(double seconds) {
+    try {
+      return try_until(seconds);
+    } catch (const Error& error) {
+      if (!graph_ || (error.code() != Errc::time_limit && error.code() != Errc::out_of_memory)) throw;
+      throw Error(error.code(), std::string(error.what()) + "; " + std::to_string(graph_->rays().size()) +
+                                    " vertices and rays of an intermediate polyhedron, of " +
+                                    std::to_string(row_) + " of " + std::to_string(cone_.rows.size()) +
+                                    " rows: their number may grow otherwise than is forecast here");
+    }
+  }
+  double seconds() const { return seconds_; }
+  /// Of the rows, those that have been taken.
+  double fraction() const { return static_cast<double>(row_) / static_cast<double>(cone_.rows.size()); }
+  PointedRays result() {
+    if (tier_ == Tier::small) return result(small_);
+    return tier_ == Tier::medium ? result(medium_) : result(large_);
+  }
+  /// Whether nine of ten rays at present are simple.
+  bool are_simple() const {
+    const std::size_t simple = graph_->num_simple_rays(), all = graph_->rays().size();
+    return 10 * simple >= 9 * all;
+  }
+
+ private:
+  bool try_until(double seconds) {
     stopwatch_.restart();
     seconds_left_ = seconds - seconds_;
     if (tier_ == Tier::small && !try_all(small_)) {
@@ -43,18 +68,6 @@ class Steps {
     seconds_ += stopwatch_.seconds();
     return row_ == cone_.rows.size();
   }
-  double seconds() const { return seconds_; }
-  PointedRays result() {
-    if (tier_ == Tier::small) return result(small_);
-    return tier_ == Tier::medium ? result(medium_) : result(large_);
-  }
-  /// Whether nine of ten rays at present are simple.
-  bool are_simple() const {
-    const std::size_t simple = graph_->num_simple_rays(), all = graph_->rays().size();
-    return 10 * simple >= 9 * all;
-  }
-
- private:
   template <class T>
   bool try_all(RayNumbers<T>& numbers) {
     if (!numbers.has_rows() && !numbers.try_set_rows(cone_.rows)) return false;
@@ -133,15 +146,36 @@ class Steps {
   RayNumbers<Integer> large_;
 };
 
-/// When insertion is tried, too, in cones of few dimensions: after this many seconds, and again whenever four
-/// times as many have passed. Each try may take `factor` times as long as the steps so far. It counts
-/// milliseconds in twenties, so there is no try before that.
+/// When insertion is tried, too, in cones of few dimensions: the first time after `first_seconds`. A try may
+/// take `factor` times as long as the steps so far, but not longer than the steps still need if the rest of
+/// the rows takes as long in proportion, and all tries not longer than the steps in all. So they at most
+/// double the time, as far as that estimate is low. A try that is stopped says how much of the rows it
+/// inserted. The rest takes at least as long in proportion; there is no other try before this much time is
+/// allowed.
 struct Trial {
-  std::size_t most_dimensions;
+  std::size_t least_dimensions, most_dimensions;
   bool needs_simple_rays;
   double first_seconds, factor;
 };
-constexpr Trial trials[] = {{5, false, 0.005, 5}, {6, true, 0.005, 5}, {7, true, 0.02, 1}};
+constexpr Trial trials[] = {{3, 6, true, 0.005, 5}, {7, 7, true, 0.05, 5}, {3, 5, false, 0.04, 1}};
+
+/// By insertion, if it ends before the steps do.
+std::optional<PointedRays> try_insertion(const PointedCone& cone, const Trial& trial, Steps& steps) {
+  constexpr double margin = 1.2;
+  double needed = 0.02;  // insertion looks at the time so often
+  double spent = 0;
+  for (double seconds = trial.first_seconds; !steps.run_until(seconds); seconds *= 2) {
+    if (trial.needs_simple_rays && !steps.are_simple()) return std::nullopt;
+    const double so_far = steps.seconds(), rest = so_far / steps.fraction() - so_far;
+    const double allowed = std::min({trial.factor * so_far, rest, so_far + rest - spent});
+    if (allowed < needed) continue;
+    InsertedRays found = find_rays_by_insertion(cone, allowed);
+    if (found.rays || !found.can_go_on) return std::move(found.rays);
+    spent += allowed;
+    needed = margin * allowed / std::max(found.fraction, 0.01);
+  }
+  return std::nullopt;
+}
 
 }  // namespace
 
@@ -153,16 +187,10 @@ PointedRays find_rays_by_steps(const PointedCone& cone, unsigned threads, Tier f
 
 PointedRays find_rays_of_pointed(const PointedCone& cone, unsigned threads) {
   Steps steps(cone, threads, Tier::small);
-  const auto trial = std::find_if(std::begin(trials), std::end(trials), [&](const Trial& t) {
-    return cone.first_rays.size() <= t.most_dimensions;
-  });
-  constexpr double growth = 4;
-  if (trial != std::end(trials))
-    for (double seconds = trial->first_seconds; !steps.run_until(seconds);
-         seconds = growth * steps.seconds()) {
-      if (trial->needs_simple_rays && !steps.are_simple()) break;
-      if (auto rays = find_rays_by_insertion(cone, trial->factor * steps.seconds())) return std::move(*rays);
-    }
+  const std::size_t d = cone.first_rays.size();
+  for (const Trial& trial : trials)
+    if (trial.least_dimensions <= d && d <= trial.most_dimensions)
+      if (auto rays = try_insertion(cone, trial, steps)) return std::move(*rays);
   steps.run_until(std::numeric_limits<double>::infinity());
   return steps.result();
 }

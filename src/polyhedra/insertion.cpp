@@ -36,7 +36,8 @@ bool is_power_of_two(const Integer& x) {
 class LimitedTime {
  public:
   explicit LimitedTime(double seconds) : seconds_(seconds), around_(internal::current_meter) {
-    options_.progress = [this](double) {
+    options_.progress = [this](double fraction) {
+      fraction_ = fraction;
       try {
         if (around_ != nullptr) around_->poll();
       } catch (...) {
@@ -47,6 +48,8 @@ class LimitedTime {
     };
   }
   const Options& options() const { return options_; }
+  /// What was done when it was looked at last.
+  double fraction() const { return fraction_; }
   /// Whether work() has come to its end in time. Throws what the meter around it does.
   template <class Work>
   bool allows(const Work& work) {
@@ -61,7 +64,7 @@ class LimitedTime {
   }
 
  private:
-  double seconds_;
+  double seconds_, fraction_ = 0;
   internal::ProgressMeter* around_;
   internal::Stopwatch stopwatch_;
   std::exception_ptr failure_;
@@ -71,34 +74,42 @@ class LimitedTime {
 /// For each ray rows that it lies on.
 using RowsOfRays = std::vector<std::vector<std::size_t>>;
 
-std::optional<RowsOfRays> facets_of_hull(const PointedCone& cone, double seconds) {
+/// Those of all rays, if the work has ended. None: the cone is flat.
+struct FoundRows {
+  bool has_ended = true;
+  double fraction = 0;
+  RowsOfRays rows;
+};
+
+FoundRows facets_of_hull(const PointedCone& cone, double seconds) {
   const std::size_t d = cone.first_rays.size() - 1;
   std::vector<double> coordinates;
   for (const Row& row : cone.rows) {
     double denominator = 0, numerator = 0;
-    if (!try_double(row[d], denominator)) return std::nullopt;
+    if (!try_double(row[d], denominator)) return {};
     for (std::size_t c = 0; c < d; ++c) {
-      if (!try_double(row[c], numerator)) return std::nullopt;
+      if (!try_double(row[c], numerator)) return {};
       coordinates.push_back(numerator / denominator);
-      if (coordinates.back() * denominator != numerator) return std::nullopt;  // subnormal
+      if (coordinates.back() * denominator != numerator) return {};  // subnormal
     }
   }
   LimitedTime time(seconds);
-  RowsOfRays result;
-  const bool has_ended = time.allows([&] {
+  FoundRows result;
+  result.has_ended = time.allows([&] {
     const ConvexHull<> hull(PointsView(coordinates, static_cast<int>(d)), time.options());
     const HullData& data = hull.data();
     for (std::size_t f = 0; f < data.num_facets(); ++f) {
       const auto at = [&](std::size_t i) {
         return data.facet_vertices.begin() + static_cast<std::ptrdiff_t>(data.facet_offsets[i]);
       };
-      result.emplace_back(at(f), at(f + 1));
+      result.rows.emplace_back(at(f), at(f + 1));
     }
   });
-  return has_ended && !result.empty() ? std::optional(std::move(result)) : std::nullopt;
+  result.fraction = time.fraction();
+  return result;
 }
 
-std::optional<RowsOfRays> vertices_of_intersection(const PointedCone& cone, double seconds) {
+FoundRows vertices_of_intersection(const PointedCone& cone, double seconds) {
   const std::size_t d = cone.first_rays.size() - 1;
   std::vector<double> halfspaces;
   std::size_t infinity = cone.rows.size();
@@ -108,27 +119,28 @@ std::optional<RowsOfRays> vertices_of_intersection(const PointedCone& cone, doub
       infinity = i;
     double entry = 0;
     for (const Integer& x : row) {
-      if (!try_double(x, entry)) return std::nullopt;
+      if (!try_double(x, entry)) return {};
       halfspaces.push_back(-entry);
     }
   }
-  if (infinity == cone.rows.size()) return std::nullopt;
+  if (infinity == cone.rows.size()) return {};
   LimitedTime time(seconds);
-  RowsOfRays result;
-  const bool has_ended = time.allows([&] {
+  FoundRows result;
+  result.has_ended = time.allows([&] {
     const HalfspaceIntersection<> intersection(halfspaces, static_cast<int>(d), time.options());
     if (intersection.state() != IntersectionState::full) return;
     const IntersectionData& data = intersection.data();
     for (std::size_t i = 0; i < data.num_vertices(); ++i) {
       const std::span<const SignedIndex> rows = data.halfspaces_of_vertex(i);
-      result.emplace_back(rows.begin(), rows.end());
+      result.rows.emplace_back(rows.begin(), rows.end());
     }
     for (std::size_t i = 0; i < data.num_directions(); ++i) {
       const std::span<const SignedIndex> rows = data.halfspaces_of_direction(i);
-      result.emplace_back(rows.begin(), rows.end()).push_back(infinity);
+      result.rows.emplace_back(rows.begin(), rows.end()).push_back(infinity);
     }
   });
-  return has_ended && !result.empty() ? std::optional(std::move(result)) : std::nullopt;
+  result.fraction = time.fraction();
+  return result;
 }
 
 /// The ray on which d − 1 of these rows are zero, with entries of type T, which all minors fit.
@@ -198,25 +210,26 @@ class RaysOfRows {
 
 }  // namespace
 
-std::optional<PointedRays> find_rays_by_insertion(const PointedCone& cone, double seconds) {
+InsertedRays find_rays_by_insertion(const PointedCone& cone, double seconds) {
   const std::size_t d = cone.first_rays.size();
-  if (d < 3 || d > most_dimensions_of_insertion) return std::nullopt;
+  if (d < 3 || d > most_dimensions_of_insertion) return {};
   // Coordinates with other denominators are no doubles.
   const bool are_points = std::all_of(cone.rows.begin(), cone.rows.end(),
                                       [](const Row& row) { return is_power_of_two(row.back()); });
-  const std::optional<RowsOfRays> found =
+  const FoundRows found =
       are_points ? facets_of_hull(cone, seconds) : vertices_of_intersection(cone, seconds);
-  if (!found) return std::nullopt;
+  if (!found.has_ended) return {std::nullopt, true, found.fraction};
+  if (found.rows.empty()) return {};
   const RaysOfRows rays(cone);
   PointedRays result;
-  result.zeros = BitRows(found->size(), cone.rows.size());
-  result.rays.reserve(found->size());
-  for (std::size_t i = 0; i < found->size(); ++i) {
+  result.zeros = BitRows(found.rows.size(), cone.rows.size());
+  result.rays.reserve(found.rows.size());
+  for (std::size_t i = 0; i < found.rows.size(); ++i) {
     internal::cancellation_point();
-    for (const std::size_t row : (*found)[i]) insert(result.zeros[i], row);
-    result.rays.push_back(rays.ray_on((*found)[i]));
+    for (const std::size_t row : found.rows[i]) insert(result.zeros[i], row);
+    result.rays.push_back(rays.ray_on(found.rows[i]));
   }
-  return result;
+  return {std::move(result), false, 1};
 }
 
 }  // namespace delone::polyhedra

@@ -25,11 +25,11 @@ struct delone::Polyhedron::Impl {
 
 namespace delone::polyhedra {
 
-/// Runs what makes a polyhedron, within the limits of the options.
+/// Runs what makes a polyhedron, within the limits of the options; `items`: what is counted.
 template <class Work>
-decltype(auto) within_limits(const Options& options, Work&& work) {
+decltype(auto) within_limits(const Options& options, Work&& work, const char* items = "rows") {
   return internal::guarded("the polyhedron", [&]() -> decltype(auto) {
-    internal::BuildLimits limits(options.memory_limit, options.time_limit, "rows");
+    internal::BuildLimits limits(options.memory_limit, options.time_limit, items);
     const internal::ProgressMeter meter(options.progress);
     return limits.guard(std::forward<Work>(work));
   });

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/parallel_parts.hpp"
+#include "base/progress_meter.hpp"
 #include "polyhedra/arithmetic.hpp"
 #include "polyhedra/ray_graph.hpp"
 #include "polyhedra/sign_kernel.hpp"
@@ -12,6 +13,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace delone::polyhedra {
@@ -26,6 +29,36 @@ inline double rounded(const Integer& x) {
 inline Integer as_integer(std::int64_t x) { return Integer(x); }
 inline Integer as_integer(const Int128& x) { return Integer(x); }
 inline Integer as_integer(const Integer& x) { return x; }
+
+/// Rows of `width` numbers each, in blocks: they stay where they are, so growth never needs twice the memory,
+/// and pages are taken when they are written.
+template <class T>
+class NumberRows {
+ public:
+  /// Begins anew, without rows.
+  void reset(std::size_t width) {
+    blocks_.clear();
+    width_ = width;
+    size_ = 0;
+  }
+  /// New rows are of any numbers.
+  void resize(std::size_t size) {
+    while (blocks_.size() * rows_in_block < size)
+      blocks_.push_back(std::make_unique_for_overwrite<T[]>(rows_in_block * width_));
+    size_ = size;
+  }
+  std::size_t size() const { return size_; }
+  std::size_t width() const { return width_; }
+  T* operator[](std::size_t row) { return blocks_[row / rows_in_block].get() + row % rows_in_block * width_; }
+  const T* operator[](std::size_t row) const {
+    return blocks_[row / rows_in_block].get() + row % rows_in_block * width_;
+  }
+
+ private:
+  static constexpr std::size_t rows_in_block = 64;
+  std::vector<std::unique_ptr<T[]>> blocks_;
+  std::size_t width_ = 0, size_ = 0;
+};
 
 /// Functions that begin with try_ return false if a number is too large for T; what is there stays.
 template <class T>
@@ -56,21 +89,24 @@ class RayNumbers {
   /// Takes over the rays of a smaller kind of integers, which must all fit.
   template <class Smaller>
   void take(const RayNumbers<Smaller>& other) {
-    rays_.clear();
-    rays_.reserve(other.rays().size());
-    for (const Smaller& x : other.rays()) rays_.emplace_back(x);
-  }
-  void clear_rays() { rays_.clear(); }
-  bool try_add_ray(const Row& ray) {
-    T entry;
-    for (const Integer& x : ray) {
-      if (!Arithmetic<T>::try_convert(x, entry)) return false;
-      rays_.push_back(entry);
+    rays_.reset(other.rays().width());
+    rays_.resize(other.rays().size());
+    for (std::size_t i = 0; i < rays_.size(); ++i) {
+      internal::cancellation_point();
+      const Smaller* const from = other.rays()[i];
+      for (std::size_t c = 0; c < rays_.width(); ++c) rays_[i][c] = T(from[c]);
     }
+  }
+  void clear_rays() { rays_.reset(dimension_); }
+  bool try_add_ray(const Row& ray) {
+    rays_.resize(rays_.size() + 1);
+    T* entry = rays_[rays_.size() - 1];
+    for (const Integer& x : ray)
+      if (!Arithmetic<T>::try_convert(x, *entry++)) return false;
     return true;
   }
 
-  const std::vector<T>& rays() const { return rays_; }
+  const NumberRows<T>& rays() const { return rays_; }
   /// Primitive.
   Row ray(RayId id) const {
     std::vector<T> entries(of(id), of(id) + dimension_);
@@ -89,7 +125,8 @@ class RayNumbers {
   bool try_cut(std::size_t row, const RayGraph& graph, NewRays& made, unsigned threads) {
     made.zeros = BitRows(made.edges.size(), graph.num_rows());
     made.first_negative.resize(made.edges.size());
-    new_rays_.resize(made.edges.size() * dimension_);
+    if (new_rays_.width() != dimension_) new_rays_.reset(dimension_);
+    new_rays_.resize(made.edges.size());
     std::atomic<bool> fit = true;
     constexpr std::size_t part = 256;
     internal::work_in_parts(threads, made.edges.size(), part, [&] {
@@ -103,13 +140,11 @@ class RayNumbers {
     return fit;
   }
   /// After the last step: frees what only steps need.
-  void end_steps() { std::vector<T>().swap(new_rays_); }
+  void end_steps() { new_rays_.reset(dimension_); }
   void commit(const RayGraph& graph, const std::vector<RayId>& ids) {
-    rays_.resize(graph.capacity() * dimension_);
+    rays_.resize(graph.capacity());
     for (std::size_t i = 0; i < ids.size(); ++i)
-      std::move(new_rays_.begin() + static_cast<std::ptrdiff_t>(i * dimension_),
-                new_rays_.begin() + static_cast<std::ptrdiff_t>((i + 1) * dimension_),
-                rays_.begin() + static_cast<std::ptrdiff_t>(ids[i] * dimension_));
+      std::move(new_rays_[i], new_rays_[i] + dimension_, rays_[ids[i]]);
   }
 
  private:
@@ -127,9 +162,9 @@ class RayNumbers {
     typename Arithmetic<T>::Product at_positive, at_negative;
     if (!arithmetic.try_product(row_at(row), of(positive), d, at_positive) ||
         !arithmetic.try_product(row_at(row), of(negative), d, at_negative) ||
-        !arithmetic.try_combine(
-            of(positive), of(negative), at_positive, typename Arithmetic<T>::Product(-at_negative),
-            divisor_of(graph, positive, negative, words, arithmetic), d, &new_rays_[i * d]))
+        !arithmetic.try_combine(of(positive), of(negative), at_positive,
+                                typename Arithmetic<T>::Product(-at_negative),
+                                divisor_of(graph, positive, negative, words, arithmetic), d, new_rays_[i]))
       return false;
     // All rays are on the inner side of earlier rows: a sum of two lies on those that both lie on.
     const Bits zeros = made.zeros[i];
@@ -137,10 +172,10 @@ class RayNumbers {
     for (std::size_t w = 0; w < words; ++w) zeros[w] = a[w] & b[w];
     zeros[words - 1] &= bit(row) - 1;
     insert(zeros, row);
-    made.first_negative[i] = find_signs_at(&new_rays_[i * d], row + 1, zeros, scratch);
+    made.first_negative[i] = find_signs_at(new_rays_[i], row + 1, zeros, scratch);
     return true;
   }
-  const T* of(RayId id) const { return rays_.data() + static_cast<std::size_t>(id) * dimension_; }
+  const T* of(RayId id) const { return rays_[id]; }
   const T* row_at(std::size_t row) const { return rows_.data() + row * dimension_; }
 
   /// The first row from `first` on that the ray is beyond; inserts those before that it lies on.
@@ -192,7 +227,8 @@ class RayNumbers {
 
   Scratch scratch_;
   std::size_t dimension_ = 0;
-  std::vector<T> rows_, rays_, new_rays_;
+  std::vector<T> rows_;
+  NumberRows<T> rays_, new_rays_;
   RoundedRows rounded_rows_;
 };
 

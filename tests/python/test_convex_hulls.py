@@ -95,3 +95,44 @@ def test_normals_of_needles():
         np.testing.assert_allclose(np.linalg.norm(hull.equations[:, :3], axis=1), 1)
         assert (hull.equations[:, :3] @ points.T + hull.equations[:, 3:]).max() < 1e-15
     assert np.isfinite(delone.ConvexHull(points).equation_errors).all()
+
+
+def test_volumes_of_intersections():
+    """Against exact ones, of flat, empty, equal, nested and touching hulls, too."""
+    random = np.random.default_rng(3)
+    for d in (1, 2, 3):
+        sets = [random.integers(0, 9, (12, d)).astype(float) for _ in range(6)]
+        sets += [sets[0].copy(), sets[0] + 100, 2 * sets[0] - 4, sets[1][:d], np.empty((0, d)), sets[0] + (sets[0].max(axis=0) - sets[0].min(axis=0))]
+        hulls = delone.convex_hulls(sets)
+        exact = [delone.Polyhedron.from_generators(points) if len(points) else delone.Polyhedron.empty(d) for points in sets]
+        expected = [[a.intersection(b).volume for b in exact] for a in exact]
+        found = hulls.intersection_volumes(threads=2)
+        np.testing.assert_allclose(found, expected, atol=1e-10)
+        assert (found == found.T).all() and (np.diag(found) == hulls.volumes).all()
+        pairs = random.integers(0, len(sets), (20, 2))
+        assert (hulls.intersection_volumes(pairs) == found[pairs[:, 0], pairs[:, 1]]).all()
+    assert hulls.intersection_volumes(np.empty((0, 2), int)).shape == (0,)
+
+
+def test_the_points_of_hulls_are_a_copy():
+    points = np.array([[0.0, 0], [1, 0], [0, 1], [0, 0], [2, 0], [0, 2]])
+    hulls = delone.convex_hulls(points, [0, 3, 6])
+    points *= 10
+    assert hulls.points.max() == 2 and not hulls.points.flags.writeable
+    assert hulls.intersection_volumes([[0, 1]]).tolist() == [0.5]
+
+
+def test_bad_pairs_are_refused():
+    hulls = delone.convex_hulls([[[0], [3]], [[1], [5]]])
+    for pairs in ([0, 1], [[0, 1, 1]], [[0.0, 1.0]]):
+        with pytest.raises(ValueError, match="pairs: an array"):
+            hulls.intersection_volumes(pairs)
+    for pairs in ([[0, 1], [0, 2]], [[1, 1], [-1, 0]]):
+        with pytest.raises(IndexError, match="pairs: row 1 .*2 hulls"):
+            hulls.intersection_volumes(pairs)
+    for name, value in {"vertices": hulls.vertices + 9, "cell_offsets": hulls.cell_offsets[::-1], "volumes": hulls.volumes[:1],
+                        "equations": hulls.equations[:-1], "vertex_offsets": np.array([0, 0, 4])}.items():
+        changed = delone.convex_hulls([[[0], [3]], [[1], [5]]])
+        setattr(changed, name, value)
+        with pytest.raises(ValueError, match="not the arrays"):
+            changed.intersection_volumes()

@@ -125,8 +125,8 @@ NOT_APPLICABLE = {
     "EX01": "classes and the main functions have examples: see below",
 }
 # Functions that have examples; classes all have, but exceptions and bases.
-WITH_EXAMPLES = ["delone.ball_halfspaces", "delone.check", "delone.convex_hulls", "delone.coordination", "delone.cylinder_halfspaces", "delone.estimate", "delone.forecast", "delone.generate", "delone.interpolate.griddata",
-                 "delone.lloyd", "delone.lower_hull", "delone.natural_neighbors", "delone.patch_scipy", "delone.polyhedra_vertices", "delone.prescribed_volumes", "delone.read", "delone.read_polyhedron", "delone.spatial.tsearch",
+WITH_EXAMPLES = ["delone.ball_halfspaces", "delone.check", "delone.convex_hulls", "delone.coordination", "delone.cylinder_halfspaces", "delone.estimate", "delone.forecast", "delone.generate", "delone.intersections", "delone.interpolate.griddata",
+                 "delone.lloyd", "delone.lower_hull", "delone.natural_neighbors", "delone.patch_scipy", "delone.polyhedra_vertices", "delone.prescribed_volumes", "delone.read", "delone.read_polyhedron", "delone.union_volume", "delone.spatial.tsearch",
                  "delone.tiles.make_tiles", "delone.write_points"]
 
 

@@ -165,6 +165,7 @@ LONG = {
     "delone._core.Diagram.to_html": ("v = delone.Voronoi(random.random((100_000, 3)))", "v.to_html()"),
     "delone.HalfspaceIntersection.save": ("made = delone.HalfspaceIntersection(halfspaces(500, 7), [0] * 7)", "made.save('/dev/null', 'json')"),
     "delone.convex_hulls": ("", "delone.convex_hulls(random.random((300_000, 40, 3)))"),
+    "delone.ConvexHulls.intersection_volumes": ("hulls = delone.convex_hulls(random.random((600, 30, 4)))", "hulls.intersection_volumes()"),
     "delone.HalfspaceIntersection.__init__": ("", "delone.HalfspaceIntersection(halfspaces(100_000, 8), [0] * 8)"),
     "delone.HalfspaceIntersection.insert_range": ("made = delone.HalfspaceIntersection(np.r_[np.c_[np.eye(8), -np.ones(8)], np.c_[-np.eye(8), -np.ones(8)]])",
                                                   "made.insert_range(halfspaces(100_000, 8))"),
@@ -214,6 +215,8 @@ LONG = {
                                "file.write('begin\\n60 10 real\\n' + '\\n'.join(' '.join(map(repr, row)) for row in rows.tolist()) + '\\nend\\n'); file.close()",
                                "delone.read_polyhedron(path)"),
     "delone.polyhedra_vertices": ("b = np.ones((1_000_000, 8)); A = random.standard_normal((1_000_000, 8, 3))", "delone.polyhedra_vertices(A, b)"),
+    "delone.intersections": ("all = [delone.Polyhedron.from_generators(random.integers(0, 50, (15, 4))) for _ in range(14)]", "delone.intersections(all)"),
+    "delone.union_volume": ("all = [delone.Polyhedron.from_generators(random.integers(0, 50, (15, 4))) for _ in range(14)]", "delone.union_volume(all)"),
     "delone.coordination": ("t = delone.PeriodicDelaunay(random.random((50_000, 3)), 1.0)", "for _ in range(20): delone.coordination(t)"),
     "delone.lloyd": ("points = random.random((100_000, 3))", "delone.lloyd(points, lattice=1.0, steps=30)"),
     "delone.prescribed_volumes": ("points = random.random((100_000, 3))", "delone.prescribed_volumes(points, lattice=1.0)"),
@@ -299,7 +302,7 @@ def public():
     """All functions, constructors and members, by the class that has them."""
     called = {"__call__", "__copy__", "__getitem__", "__getstate__", "__init__", "__iter__", "__len__", "__reduce__", "__repr__"}
     for cls in classes():
-        if cls.__name__ not in ("Forecast", "HullOfSet", "Part", "PartIndex", "Report", "CheckReport", "GeneratorsOfPolyhedron", "Optimum", "_Patched"):
+        if cls.__name__ not in ("Forecast", "HullOfSet", "Part", "PartIndex", "Report", "CheckReport", "GeneratorsOfPolyhedron", "Optimum", "PolyhedraIntersection", "_Patched"):
             plain = cls.__module__ == "delone" or cls.__module__.startswith("delone._c") and cls.__name__ == "ConvexHulls"
             place = f"delone.{cls.__name__}" if plain else f"{cls.__module__}.{cls.__name__}"
             for name, member in vars(cls).items():

@@ -4,6 +4,8 @@ import itertools
 import os
 import pickle
 import random
+import subprocess
+import sys
 from fractions import Fraction
 
 import numpy as np
@@ -427,3 +429,83 @@ def test_a_point_in_a_polyhedron():
     for bad in ([1, 1, 1], [[1, 1]], 3):
         with pytest.raises((ValueError, TypeError)):
             bad in triangle  # pylint: disable=pointless-statement
+
+
+def arrangement_cells(polyhedra, box):
+    """The cells into which the planes of all facets divide a box."""
+    cells = [box]
+    for row in {tuple(map(int, row)) for p in polyhedra for row in p.inequality_integers}:
+        a, b = list(row[:-1]), row[-1]
+        sides = [Polyhedron([a], [b]), Polyhedron([[-x for x in a]], [-b])]
+        cells = [part for cell in cells for part in (cell.intersection(side) for side in sides) if part.affine_dimension == part.dimension]
+    return cells
+
+
+@pytest.mark.parametrize("d", [1, 2, 3])
+def test_unions_against_the_cells_of_an_arrangement(d):
+    random = np.random.default_rng(d)
+    for _ in range(6 if d < 3 else 2):
+        count = int(random.integers(2, 7 - d))
+        polyhedra = [Polyhedron.from_generators(random.integers(0, 6, (int(random.integers(1, d + 4)), d))) for _ in range(count)]
+        polyhedra += [polyhedra[0], Polyhedron.empty(d)]
+        box = Polyhedron.from_generators(list(itertools.product((0, 6), repeat=d)))
+        full = [i for i, p in enumerate(polyhedra) if p.affine_dimension == d]  # others do not divide cells
+        inner = [(cell.volume_fraction, [sum(x) / len(cell.vertex_fractions) for x in zip(*cell.vertex_fractions.tolist())])
+                 for cell in arrangement_cells(polyhedra, box)]
+        assert sum(volume for volume, _ in inner) == 6**d
+        union = delone.union_volume(polyhedra, threads=2)
+        assert isinstance(union, Fraction) and union == sum(volume for volume, x in inner if any(x in polyhedra[i] for i in full))
+        found = delone.intersections(polyhedra)
+        expected = {}
+        for members in (m for size in range(2, len(full) + 1) for m in itertools.combinations(full, size)):
+            if volume := sum(volume for volume, x in inner if all(x in polyhedra[i] for i in members)):
+                expected[members] = volume
+        assert [part.members for part in found] == list(expected)
+        assert [part.polyhedron.volume_fraction for part in found] == list(expected.values())
+        assert [part.members for part in delone.intersections(polyhedra, 2)] == [members for members in expected if len(members) == 2]
+
+
+def test_unions_of_what_is_no_list_of_polyhedra():
+    square = Polyhedron.from_generators([[0, 0], [1, 0], [0, 1], [1, 1]])
+    assert delone.union_volume([]) == 0 and delone.intersections(iter([square])) == []
+    assert delone.union_volume([square, Polyhedron.space(2)]) is None
+    with pytest.raises(TypeError, match="polyhedra: 1 is"):
+        delone.union_volume([square, [[0, 1]]])
+    with pytest.raises(TypeError, match="sequence"):
+        delone.intersections(3)
+    with pytest.raises(ValueError, match="at least 2"):
+        delone.intersections([square], 1)
+    with pytest.raises(delone.Error, match="polyhedron 1 has dimension 3"):
+        delone.union_volume([square, Polyhedron.space(3)])
+
+
+LIMITED = """
+import sys
+import numpy as np
+import delone
+x = np.random.default_rng(5).standard_normal((90, 9))
+x = np.rint(1000 * x / np.linalg.norm(x, axis=1, keepdims=True)).astype(int)
+
+def most_bytes():
+    return next(1024 * int(line.split()[1]) for line in open("/proc/self/status") if line.startswith("VmHWM"))
+
+limit = most_bytes() + int(sys.argv[1])
+try:
+    delone.Polyhedron.from_generators(x, memory_limit=limit, threads=1)
+except delone.OutOfMemoryError as error:
+    print(most_bytes() <= limit, error)
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
+@pytest.mark.parametrize("megabytes", [8, 20, 40, 60, 90])
+def test_a_limit_of_memory_is_kept(megabytes):
+    """The whole takes some 150 MB. What is allocated between two looks at the memory fits into what is kept free."""
+    made = subprocess.run([sys.executable, "-c", LIMITED, f"{megabytes}_000_000"], capture_output=True, text=True, check=True)
+    assert made.stdout.startswith("True stopped at the limit of"), made.stdout + made.stderr
+
+
+def test_limits_tell_how_large_the_intermediate_polyhedron_is():
+    x = np.random.default_rng(5).standard_normal((90, 9))
+    with pytest.raises(delone.TimeLimitError, match=r"limit of 0.1 seconds .*; \d+ vertices and rays of an intermediate polyhedron, of \d+ of 90 rows"):
+        Polyhedron.from_generators(np.rint(1000 * x / np.linalg.norm(x, axis=1, keepdims=True)).astype(int), time_limit=0.1)

@@ -45,7 +45,7 @@ PointedCone cone_of(const Rows& rows, std::size_t d) {
 bool expect_the_same(const Rows& rows, std::size_t d) {
   const PointedCone cone = cone_of(rows, d);
   if (cone.rows.empty()) return false;
-  const std::optional<PointedRays> found = find_rays_by_insertion(cone, enough);
+  const std::optional<PointedRays> found = find_rays_by_insertion(cone, enough).rays;
   if (!found) return false;
   const PointedRays expected = find_rays_by_steps(cone);
   std::map<Row, std::size_t> number;
@@ -114,7 +114,12 @@ TEST(Insertion, SaysNo) {
       for (int z = 0; z < 9; ++z)
         for (int t = 0; t < 9; ++t)
           for (int s = 0; s < 3; ++s) grid.push_back({x, y, z, t, s, 1});
-  EXPECT_FALSE(find_rays_by_insertion(cone_of(grid, 6), 0));
+  const InsertedRays stopped = find_rays_by_insertion(cone_of(grid, 6), 0);
+  EXPECT_FALSE(stopped.rays);
+  EXPECT_TRUE(stopped.can_go_on);
+  EXPECT_LT(stopped.fraction, 1);
+  EXPECT_FALSE(find_rays_by_insertion(cone_of({{1, 0, 0, 3}, {0, 1, 0, 1}, {0, 0, 1, 1}, {1, 1, 1, 1}}, 4), 9)
+                   .can_go_on);
 }
 
 }  // namespace

@@ -10,6 +10,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace delone::polyhedra {
@@ -330,6 +334,77 @@ TEST(Polyhedron, OfIntersectionsAndHulls) {
   EXPECT_EQ(to_polyhedron(hull.to_data()), unit_cube(2));
   EXPECT_EQ(to_polyhedron(segment.to_data()), Polyhedron::from_generators({{0, 0}, {2, 2}}, {}, {}, 2));
   EXPECT_EQ(test::code_of([&] { to_polyhedron(hull.data()); }), Errc::invalid_argument);
+}
+
+/// Boxes of integers, flat ones and equal ones among them, against the unit cubes that they consist of.
+TEST(Polyhedron, UnionsOfBoxes) {
+  random::Generator generator(17);
+  constexpr std::size_t size = 4;
+  const std::size_t rounds = test::scaled_count(40);
+  for (std::size_t round = 0; round < rounds; ++round) {
+    const std::size_t d = 1 + generator.below(3), count = generator.below(7);
+    std::size_t num_cubes = 1;
+    for (std::size_t c = 0; c < d; ++c) num_cubes *= size;
+    std::vector<Polyhedron> boxes;
+    std::vector<std::size_t> members_of(num_cubes, 0);  // a bit for each box
+    for (std::size_t i = 0; i < count; ++i) {
+      Polyhedron box = Polyhedron::space(0);
+      std::vector<std::size_t> low(d), high(d);
+      for (std::size_t c = 0; c < d; ++c) {
+        low[c] = generator.below(size + 1);
+        high[c] = low[c] + generator.below(size + 1 - low[c]);
+        box = box.product(Polyhedron::from_generators(
+            {{static_cast<std::int64_t>(low[c])}, {static_cast<std::int64_t>(high[c])}}, {}, {}, 1));
+      }
+      boxes.push_back(box);
+      for (std::size_t cube = 0; cube < num_cubes; ++cube) {
+        bool is_in = true;
+        for (std::size_t c = 0, rest = cube; c < d; ++c, rest /= size)
+          is_in = is_in && low[c] <= rest % size && rest % size < high[c];
+        if (is_in) members_of[cube] |= std::size_t{1} << i;
+      }
+    }
+    const auto with_all_of = [&](std::size_t set) {
+      return std::count_if(members_of.begin(), members_of.end(),
+                           [&](std::size_t members) { return (members & set) == set; });
+    };
+    const std::size_t in_any =
+        num_cubes - static_cast<std::size_t>(std::count(members_of.begin(), members_of.end(), 0u));
+    EXPECT_EQ(union_volume(boxes), Rational(static_cast<std::int64_t>(in_any)));
+    std::size_t found = 0;
+    for (const auto& [members, polyhedron] : intersections(boxes)) {
+      std::size_t set = 0;
+      for (const std::size_t member : members) set |= std::size_t{1} << member;
+      EXPECT_EQ(polyhedron.volume(), Rational(static_cast<std::int64_t>(with_all_of(set))));
+      ++found;
+    }
+    std::size_t expected = 0;
+    for (std::size_t set = 0; set < std::size_t{1} << count; ++set)
+      if (std::popcount(set) > 1 && with_all_of(set) > 0) ++expected;
+    EXPECT_EQ(found, expected);
+    for (const auto& part : intersections(boxes, 2)) EXPECT_EQ(part.members.size(), 2u);
+  }
+}
+
+TEST(Polyhedron, UnionsOfFewAndOfUnboundedSets) {
+  const Polyhedron quadrant = Polyhedron::from_generators({}, {{1, 0}, {0, 1}}, {}, 2);
+  const Polyhedron ray = Polyhedron::from_generators({}, {{1, 0}}, {}, 2);
+  EXPECT_EQ(union_volume({}), Rational(0));
+  EXPECT_EQ(union_volume(std::vector{unit_cube(2), ray}), Rational(1));
+  EXPECT_EQ(union_volume(std::vector{unit_cube(2), quadrant}), std::nullopt);
+  const auto parts = intersections(std::vector{quadrant, ray, unit_cube(2)});
+  ASSERT_EQ(parts.size(), 1u);
+  EXPECT_THAT(parts[0].members, ElementsAre(0, 2));
+  EXPECT_EQ(parts[0].polyhedron, unit_cube(2));
+  const std::vector different{unit_cube(2), unit_cube(3)};
+  EXPECT_EQ(test::code_of([&] { union_volume(different); }), Errc::bad_dimension);
+  EXPECT_EQ(test::code_of([&] { intersections(different); }), Errc::bad_dimension);
+  // A hundred nested ones: each is left out at once.
+  std::vector<Polyhedron> nested;
+  for (int i = 1; i <= 100; ++i) nested.push_back(Polyhedron::from_generators({{0}, {i}}, {}, {}, 1));
+  EXPECT_EQ(union_volume(nested), Rational(100));
+  EXPECT_EQ(test::code_of([&] { union_volume(nested, {.progress = [](double) { return false; }}); }),
+            Errc::cancelled);
 }
 
 }  // namespace

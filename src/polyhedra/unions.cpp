@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What several polyhedra have in common, and the volume of their union.
+#include "base/progress_meter.hpp"
+#include "polyhedra/fraction.hpp"
+#include "polyhedra/polyhedron_impl.hpp"
+
+#include <delone/polyhedron.hpp>
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace delone {
+
+using polyhedra::Fraction;
+
+namespace {
+
+using Quotient =
+    boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
+
+void require_one_dimension(std::span<const Polyhedron> polyhedra) {
+  for (std::size_t i = 1; i < polyhedra.size(); ++i)
+    if (polyhedra[i].dimension() != polyhedra[0].dimension())
+      throw Error(Errc::bad_dimension, "polyhedron " + std::to_string(i) + " has dimension " +
+                                           std::to_string(polyhedra[i].dimension()) + ", and the first one " +
+                                           std::to_string(polyhedra[0].dimension()));
+}
+
+bool is_full(const Polyhedron& p) { return p.affine_dimension() == p.dimension(); }
+
+/// Adds a part, unless it is flat or within another one; those within it go.
+void add_part(Polyhedron part, std::vector<Polyhedron>& parts) {
+  if (!is_full(part)) return;
+  for (const Polyhedron& other : parts) {
+    internal::cancellation_point();
+    if (other.includes(part)) return;
+  }
+  std::erase_if(parts, [&](const Polyhedron& other) {
+    internal::cancellation_point();
+    return part.includes(other);
+  });
+  parts.push_back(std::move(part));
+}
+
+/// Of bounded ones. Counts those whose share is known.
+Quotient volume_of_union(std::span<const Polyhedron> polyhedra, const Options& how) {
+  const std::function<bool(double)> none;
+  internal::ProgressMeter progress(none, polyhedra.size());
+  std::vector<Polyhedron> distinct;
+  for (const Polyhedron& p : polyhedra) add_part(p, distinct);
+  Quotient sum = 0;
+  for (std::size_t i = 0; i < distinct.size(); ++i) {
+    progress(i);
+    const Fraction volume = Fraction::of(*distinct[i].volume());
+    sum += Quotient(volume.numerator, volume.denominator);
+    std::vector<Polyhedron> common;
+    for (std::size_t j = 0; j < i; ++j) add_part(distinct[i].intersection(distinct[j], how), common);
+    sum -= volume_of_union(common, how);
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::vector<PolyhedraIntersection> intersections(std::span<const Polyhedron> polyhedra,
+                                                 std::size_t most_members, const Options& options) {
+  require_one_dimension(polyhedra);
+  const auto work = [&] {
+    const std::function<bool(double)> none;
+    internal::ProgressMeter progress(none, polyhedra.size());
+    const Options how{.threads = options.threads};
+    std::vector<PolyhedraIntersection> single;
+    for (std::size_t i = 0; i < polyhedra.size(); ++i)
+      if (is_full(polyhedra[i])) single.push_back({{i}, polyhedra[i]});
+    std::vector<PolyhedraIntersection> found, level = single;
+    for (std::size_t members = 2; !level.empty() && (most_members == 0 || members <= most_members);
+         ++members) {
+      std::vector<PolyhedraIntersection> next;
+      for (const PolyhedraIntersection& part : level) {
+        progress(part.members.front());
+        for (const PolyhedraIntersection& other : single) {
+          const std::size_t member = other.members.front();
+          if (member <= part.members.back()) continue;
+          PolyhedraIntersection smaller{part.members, part.polyhedron.intersection(other.polyhedron, how)};
+          if (!is_full(smaller.polyhedron)) continue;
+          smaller.members.push_back(member);
+          next.push_back(std::move(smaller));
+        }
+      }
+      found.insert(found.end(), next.begin(), next.end());
+      level = std::move(next);
+    }
+    return found;
+  };
+  return polyhedra::within_limits(options, work, "polyhedra");
+}
+
+std::optional<Rational> union_volume(std::span<const Polyhedron> polyhedra, const Options& options) {
+  require_one_dimension(polyhedra);
+  const auto is_infinite = [](const Polyhedron& p) { return is_full(p) && !p.is_bounded(); };
+  if (std::any_of(polyhedra.begin(), polyhedra.end(), is_infinite)) return std::nullopt;
+  const auto work = [&] {
+    const Quotient volume = volume_of_union(polyhedra, Options{.threads = options.threads});
+    return std::optional(Fraction::to_rational(boost::multiprecision::numerator(volume),
+                                               boost::multiprecision::denominator(volume)));
+  };
+  return polyhedra::within_limits(options, work, "polyhedra");
+}
+
+}  // namespace delone
