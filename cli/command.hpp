@@ -40,6 +40,7 @@ Run add_voronoi(CLI::App& app);
 Run add_regular(CLI::App& app);
 Run add_power(CLI::App& app);
 Run add_cells(CLI::App& app);
+Run add_density(CLI::App& app);
 Run add_alpha(CLI::App& app);
 Run add_locate(CLI::App& app);
 Run add_interpolate(CLI::App& app);

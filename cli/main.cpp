@@ -218,6 +218,9 @@ int run(int argc, char** argv) {
   add("cells", "Measure the cells of points: volumes, centroids, surfaces, neighbors", add_cells,
       {"delone cells points.csv -o cells.csv",
        "delone cells points.csv --box 0,0,1,1 --neighbors -o cells.npz"});
+  add("density", "Estimate the density of particles on a grid (DTFE)", add_density,
+      {"delone density particles.csv --lattice 1 --grid 128 -o density.npy",
+       "delone density t.csv --columns x,y --masses m --grid 64 -o d.npy"});
   add("alpha", "Compute the alpha complex of points, or its boundary", add_alpha,
       {"delone alpha points.csv --radius 0.2 -o alpha.npz"});
   add("locate", "Locate query points in the triangulation of points", add_locate,

@@ -34,14 +34,15 @@ std::vector<double> take_column(PointTable& table, std::size_t column) {
 }
 
 /// Reads the weights of points from a file with one column.
-std::vector<double> read_weights(const std::string& path, PointTable& points, const PointInput& input) {
-  PointTable table = input.read_beside(path);
+std::vector<double> read_weights(const WeightedInput& from, PointTable& points) {
+  PointTable table = from.input.read_beside(from.weights);
   if (table.num_points() > 0 && table.dimension != 1)
-    throw Error(Errc::bad_format, fmt::format("{}: expected one weight per row, found {} columns",
-                                              input_name(path), table.dimension));
+    throw Error(Errc::bad_format, fmt::format("{}: expected one {} per row, found {} columns",
+                                              input_name(from.weights), from.singular, table.dimension));
   if (num_rows(table) != num_rows(points))
-    throw Error(Errc::bad_format, fmt::format("{}: expected {} weights, one per point, found {}",
-                                              input_name(path), num_rows(points), num_rows(table)));
+    throw Error(Errc::bad_format,
+                fmt::format("{}: expected {} {}, one per point, found {}", input_name(from.weights),
+                            num_rows(points), from.plural, num_rows(table)));
   keep_common_rows(points, table);
   return std::move(table.coordinates);
 }
@@ -51,8 +52,10 @@ std::vector<double> read_weights(const std::string& path, PointTable& points, co
 void WeightedInput::add_to(CLI::App& command, bool required) {
   input.add_to(command, "IN", "Points: a file, or - for standard input");
   command
-      .add_option("--weights", weights,
-                  "The weights: a column of IN by its name or number from 0, or a file with one per row")
+      .add_option(
+          option, weights,
+          fmt::format("The {}: a column of IN by its name or number from 0, or a file with one per row",
+                      plural))
       ->required(required)
       ->type_name("COLUMN|FILE");
 }
@@ -69,14 +72,14 @@ PointTable WeightedInput::read(std::vector<double>& weights_read, unsigned threa
   const std::string name = input_name(input.path);
   const bool is_file = names_a_file(weights);
   if (is_file && weights == "-" && input.path == "-")
-    throw UsageError("points and weights cannot both come from standard input");
+    throw UsageError(fmt::format("points and {} cannot both come from standard input", plural));
   PointInput all = input;
   // The chosen columns are the coordinates, so the weight is read after them.
   const bool appended = !is_file && !input.options.columns.empty();
   if (appended) all.options.columns.push_back(weights);
   PointTable table = all.read(threads);
   if (is_file) {
-    weights_read = read_weights(weights, table, input);
+    weights_read = read_weights(*this, table);
     return table;
   }
   std::size_t column = static_cast<std::size_t>(table.dimension) - 1;
@@ -85,16 +88,16 @@ PointTable WeightedInput::read(std::vector<double>& weights_read, unsigned threa
   } else if (!appended) {
     const auto found = std::find(table.column_names.begin(), table.column_names.end(), weights);
     if (found == table.column_names.end())
-      throw Error(Errc::cannot_open, fmt::format("{}: --weights {} is neither a column nor a file", name,
+      throw Error(Errc::cannot_open, fmt::format("{}: {} {} is neither a column nor a file", name, option,
                                                  messages::in_quotes(weights)));
     column = static_cast<std::size_t>(found - table.column_names.begin());
   }
   if (column >= static_cast<std::size_t>(table.dimension))
-    throw Error(Errc::bad_format, fmt::format("{}: --weights: there is no column {}; the columns are 0 to {}",
-                                              name, column, table.dimension - 1));
+    throw Error(Errc::bad_format, fmt::format("{}: {}: there is no column {}; the columns are 0 to {}", name,
+                                              option, column, table.dimension - 1));
   if (table.dimension < 2)
     throw Error(Errc::bad_dimension,
-                fmt::format("{}: beside the weights there is no column of coordinates", name));
+                fmt::format("{}: beside the {} there is no column of coordinates", name, plural));
   weights_read = take_column(table, column);
   return table;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Weighted points: the weights are a column of the input or a file of their own.
+// Points with a number each, weights or masses, which are a column of the input or a file of their own.
 #pragma once
 
 #include "command.hpp"
@@ -11,7 +11,9 @@ namespace delone::cli {
 
 struct WeightedInput {
   PointInput input;
-  std::string weights;  ///< a column's name, a column's number, or a file
+  std::string weights;               ///< a column's name, a column's number, or a file
+  std::string option = "--weights";  ///< what says so
+  std::string plural = "weights", singular = "weight";
 
   void add_to(CLI::App& command, bool required = true);
   /// Where only a column will do: throws UsageError for a file.

@@ -14,6 +14,7 @@
 #include <delone/convex_hulls.hpp>
 #include <delone/data.hpp>
 #include <delone/delaunay.hpp>
+#include <delone/density.hpp>
 #include <delone/error.hpp>
 #include <delone/execution.hpp>
 #include <delone/faces.hpp>

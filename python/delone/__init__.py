@@ -19,6 +19,7 @@ from ._changes import Changes
 from ._clipped_regions import ClippedRegions
 from ._convex_hulls import ConvexHulls, convex_hulls
 from ._data import ComplexData, Data, HullData, IntersectionData, VoronoiData
+from ._density import dtfe_density
 from ._files import CheckReport, check, generate, lower_hull, read, write_points
 from ._locations import Locations
 from ._methods import attach as _attach
@@ -33,12 +34,12 @@ __all__ = ["AlphaComplex", "CancelledError", "Changes", "CheckReport", "ClippedR
            "Forecast", "FurthestSite", "FurthestVoronoi", "HalfspaceIntersection", "HullData", "InputError", "IntersectionData", "LinearInterpolator", "Locations",
            "LowerHull", "NaturalNeighborInterpolator", "Optimum", "OutOfMemoryError", "PeriodicDelaunay", "PeriodicFaces", "PeriodicLinearInterpolator",
            "PeriodicNaturalNeighborInterpolator", "PeriodicRegular", "PolyhedraIntersection", "PolyhedraVertices", "Polyhedron", "PowerDiagram", "Regular", "SiteCells", "TimeLimitError",
-           "TrimResult", "Voronoi", "VoronoiData", "__version__", "ball_halfspaces", "check", "convex_hulls", "coordination", "cylinder_halfspaces", "estimate", "forecast",
+           "TrimResult", "Voronoi", "VoronoiData", "__version__", "ball_halfspaces", "check", "convex_hulls", "coordination", "cylinder_halfspaces", "dtfe_density", "estimate", "forecast",
            "generate", "intersections", "lloyd", "lower_hull", "natural_neighbors",
            "patch_scipy", "polyhedra_vertices", "prescribed_volumes", "read", "read_polyhedron", "scipy_is_patched", "union_volume", "unpatch_scipy", "write_points"]
 
 for _name in __all__:
-    if getattr(globals()[_name], "__module__", "").startswith(("delone._core", "delone._changes", "delone._clipped_regions", "delone._convex_hulls", "delone._data", "delone._files", "delone._periodic_faces", "delone._polyhedra", "delone._shaped_cells", "delone._site_cells")):
+    if getattr(globals()[_name], "__module__", "").startswith(("delone._core", "delone._changes", "delone._clipped_regions", "delone._convex_hulls", "delone._data", "delone._density", "delone._files", "delone._periodic_faces", "delone._polyhedra", "delone._shaped_cells", "delone._site_cells")):
         globals()[_name].__module__ = "delone"
 del _name
 _attach()

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import types
 
-from . import _clipped_regions, _core, _export, _files, _frames, _html, _periodic_faces, _plot, _polyhedra, _site_cells, _viewer
+from . import _clipped_regions, _core, _density, _export, _files, _frames, _html, _periodic_faces, _plot, _polyhedra, _site_cells, _viewer
 from ._transform import transform
 
 OF = {
     _core.Triangulation: {"plot": _plot.triangulation, "_repr_html_": _html.triangulation, "to_frame": _frames.triangulation,
                           "to_html": _viewer.triangulation, "save": _files.save, "to_data": _files.to_data,
                           **_export.methods(_export.triangulation)},
-    _core.Delaunay: {"site_cells": _site_cells.site_cells},
+    _core.Delaunay: {"site_cells": _site_cells.site_cells, "dtfe_densities": _density.dtfe_densities},
     _core.Regular: {"site_cells": _site_cells.site_cells},
     _core.PeriodicTriangulation: {"save": _files.save, "to_data": _files.to_data, "site_cells": _site_cells.periodic_site_cells,
                                  "faces": _periodic_faces.periodic_faces},
+    _core.PeriodicDelaunay: {"dtfe_densities": _density.dtfe_densities},
     _core.ConvexHull: {"plot": _plot.convex_hull, "_repr_html_": _html.convex_hull, "to_frame": _frames.convex_hull,
                        "to_html": _viewer.convex_hull, "save": _files.save, "to_data": _files.to_data, **_export.methods(_export.convex_hull)},
     _core.LowerHull: {"plot": _plot.lower_hull, "_repr_html_": _html.lower_hull, "to_frame": _frames.lower_hull, "save": _files.save,

@@ -104,6 +104,7 @@ PYBIND11_MODULE(_core, module) {
   python::bind_periodic(module);
   python::bind_qhull_options(module);
   python::bind_periodic_queries(module);
+  python::bind_density(module);
   module.def("_represented", &python::represented, py::arg("value"), "How messages show a foreign value.");
   module.def("_write_text", &delone::write_text, py::arg("path"), py::arg("text"),
              "Writes a file, whole or not at all.", py::call_guard<py::gil_scoped_release>());

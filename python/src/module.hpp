@@ -15,6 +15,7 @@ void bind_convex_hull(pybind11::module_& module);
 void bind_convex_hulls(pybind11::module_& module);
 void bind_voronoi(pybind11::module_& module);
 void bind_site_cells(pybind11::module_& module);
+void bind_density(pybind11::module_& module);
 void bind_halfspaces(pybind11::module_& module);
 void bind_cell_maps(pybind11::module_& module);
 void bind_clough_tocher(pybind11::module_& module);

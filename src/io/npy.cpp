@@ -357,9 +357,9 @@ std::string npy_of_texts(const std::vector<std::string>& texts) {
   return file;
 }
 
-std::string npy_header(std::string_view type, std::initializer_list<std::size_t> shape) {
-  std::string dictionary = fmt::format("{{'descr': '<{}', 'fortran_order': False, 'shape': {}, }}", type,
-                                       shape_text(std::vector<std::size_t>(shape)));
+std::string npy_header(std::string_view type, const std::vector<std::size_t>& shape) {
+  std::string dictionary =
+      fmt::format("{{'descr': '<{}', 'fortran_order': False, 'shape': {}, }}", type, shape_text(shape));
   constexpr std::size_t prefix = 10, alignment = 64;
   const std::size_t total = (prefix + dictionary.size() + 1 + alignment - 1) / alignment * alignment;
   dictionary.append(total - prefix - dictionary.size() - 1, ' ');

@@ -7,7 +7,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -63,7 +62,7 @@ std::string shape_text(const std::vector<std::size_t>& shape);
 
 /// The header of a little-endian, C-ordered array, version 1.0, padded to a multiple of 64 bytes. `type`:
 /// "f8", "i4", …
-std::string npy_header(std::string_view type, std::initializer_list<std::size_t> shape);
+std::string npy_header(std::string_view type, const std::vector<std::size_t>& shape);
 
 /// The type of SignedIndex: "i4" or "i8".
 inline constexpr std::string_view npy_index_type = sizeof(SignedIndex) == 4 ? "i4" : "i8";

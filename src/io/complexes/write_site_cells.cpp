@@ -31,9 +31,8 @@ class SiteCellsWriter {
                                                                     : "i4";
     std::vector<std::size_t> shape{items.size()};
     if (columns > 0) shape = {items.size() / columns, columns};
-    const std::string header =
-        columns > 0 ? npy_header(type, {shape[0], shape[1]}) : npy_header(type, {shape[0]});
-    zip_.add(name + ".npy", header, little_endian_bytes(std::span<const T>(items), storage_));
+    zip_.add(name + ".npy", npy_header(type, shape),
+             little_endian_bytes(std::span<const T>(items), storage_));
   }
   void finish() { zip_.finish(); }
 
