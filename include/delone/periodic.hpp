@@ -126,6 +126,9 @@ class DELONE_EXPORT PeriodicTriangulation {
   PeriodicTriangulation(std::span<const double> points, std::span<const double> weights, bool is_regular,
                         const Lattice& lattice, int dimension, const PeriodicOptions& how,
                         const Options& options);
+  /// `lattice`: null for the same.
+  PeriodicTriangulation(const PeriodicTriangulation& before, std::span<const double> points,
+                        std::span<const double> weights, const Lattice* lattice);
   PeriodicTriangulation(PeriodicTriangulation&&) noexcept;
   PeriodicTriangulation& operator=(PeriodicTriangulation&&) noexcept;
   ~PeriodicTriangulation();
@@ -154,6 +157,22 @@ class PeriodicDelaunay : public PeriodicTriangulation {
                    const Options& options = {})
       : PeriodicTriangulation(coordinates_of(points, lattice), {}, false, lattice,
                               D == dynamic ? lattice.dimension : D, how, options) {}
+
+  /// A time step: what a new construction of these points would be, with the options of this one; point i is
+  /// where that of row i has moved to. They may be anywhere, as at first. Where most points have moved
+  /// little, beyond the border or not, a copy of the triangulation is repaired and certified: steps by a
+  /// thousandth of the mean distance of neighbors take some 0.5 of a construction in space. Otherwise
+  /// everything is constructed. This object stays as it is; t = t.moved(points) goes on. With another
+  /// lattice, of the same rank, for boxes that change. Throws as the constructor; bad_dimension also for
+  /// another number of points.
+  PeriodicDelaunay moved(const AnyPoints<D>& to) const { return {*this, to, nullptr}; }
+  PeriodicDelaunay moved(const AnyPoints<D>& to, const Lattice& lattice) const {
+    return {*this, to, &lattice};
+  }
+
+ private:
+  PeriodicDelaunay(const PeriodicDelaunay& before, const AnyPoints<D>& to, const Lattice* lattice)
+      : PeriodicTriangulation(before, coordinates_of(to, before.lattice()), {}, lattice) {}
 };
 
 /// The regular triangulation of weighted points and their translates; a translate has the weight of its
@@ -169,6 +188,20 @@ class PeriodicRegular : public PeriodicTriangulation {
                   const PeriodicOptions& how = {}, const Options& options = {})
       : PeriodicTriangulation(coordinates_of(points, lattice), weights, true, lattice,
                               D == dynamic ? lattice.dimension : D, how, options) {}
+
+  /// As PeriodicDelaunay::moved(), with a weight for each point.
+  PeriodicRegular moved(const AnyPoints<D>& to, std::span<const double> weights) const {
+    return {*this, to, weights, nullptr};
+  }
+  PeriodicRegular moved(const AnyPoints<D>& to, std::span<const double> weights,
+                        const Lattice& lattice) const {
+    return {*this, to, weights, &lattice};
+  }
+
+ private:
+  PeriodicRegular(const PeriodicRegular& before, const AnyPoints<D>& to, std::span<const double> weights,
+                  const Lattice* lattice)
+      : PeriodicTriangulation(before, coordinates_of(to, before.lattice()), weights, lattice) {}
 };
 
 }  // namespace delone
