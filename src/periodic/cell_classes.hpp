@@ -6,9 +6,9 @@
 //
 // Numbers of classes and the order of vertices in each are those of the public arrays: functions of the rows,
 // the given points and the lattice, and not of how the triangulation came about. Classes are in the order of
-// the rows of their smallest vertices, and those of one row in the order of their vertices. Vertices are in
-// the order of their rows, and images of one row in that of their offsets from the smallest vertex; the last
-// two are exchanged where the orientation wants it so.
+// their smallest vertices along a curve through the box, and those of one row in the order of their vertices.
+// Vertices are in the order of their rows, and images of one row in that of their offsets from the smallest
+// vertex; the last two are exchanged where the orientation wants it so.
 #pragma once
 
 #include "periodic/ghost_triangulation.hpp"
@@ -73,6 +73,7 @@ class CellClasses {
   VertexId own_vertex(VertexId v) const { return ghosts_.vertex_of_row(ghosts_.image_of(v).row); }
 
  private:
+  void order_rows(const PeriodicSet& set);
   void sort_by_row();
   void sort_within_rows(const PeriodicSet& set);
 
@@ -80,7 +81,8 @@ class CellClasses {
   const Complex complex_;
   CanonicalCells canonical_;
   const std::size_t r_, corners_;
-  std::vector<std::size_t> first_of_row_;  // the first number of a class with this row
+  std::vector<std::uint32_t> row_at_, place_of_row_;  // along the curve
+  std::vector<std::size_t> first_at_;                 // by place, the first number of a class with this row
   std::vector<std::uint8_t> slots_;
 };
 

@@ -37,10 +37,13 @@ class GhostTriangulation::Step {
         r_(set_.rank),
         most_new_(64 + n_ / 16) {}
 
+  /// Whether much had been done before it was given up.
+  bool has_begun() const { return has_begun_; }
   /// Returns false if a new construction is called for; `to` may have changed then.
   bool run() {
     if (!is_of_one_kind() || !find_translations() || !find_known() || !name_rows() || !is_promising())
       return false;
+    has_begun_ = true;
     if (from_.delaunay_)
       to_.delaunay_.emplace(from_.delaunay_->clone());
     else
@@ -262,8 +265,22 @@ class GhostTriangulation::Step {
   std::vector<std::uint8_t> is_far_;        // by row
   std::vector<double> largest_step_;        // of a fraction, of points that are not far
   std::vector<double> below_, above_;       // what is known now
+  bool has_begun_ = false;
 };
 
-bool GhostTriangulation::step_from(const GhostTriangulation& before) { return Step(*this, before).run(); }
+bool GhostTriangulation::step_from(const GhostTriangulation& before) {
+  // Steps of one run are much alike. So after a repair that has failed the next ones are not tried, twice as
+  // many each time.
+  constexpr std::uint32_t most = 5;
+  if (before.num_skipped_ + 1 < std::uint32_t{1} << before.num_failures_) {
+    num_failures_ = before.num_failures_;
+    num_skipped_ = before.num_skipped_ + 1;
+    return false;
+  }
+  Step step(*this, before);
+  if (step.run()) return true;
+  num_failures_ = step.has_begun() ? std::min(before.num_failures_ + 1, most) : 0;
+  return false;
+}
 
 }  // namespace delone::periodic

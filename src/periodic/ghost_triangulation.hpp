@@ -94,6 +94,8 @@ class GhostTriangulation {
   std::vector<Found> found_;            // to be inserted next
   GhostEffort effort_;
   std::shared_ptr<const char> identity_ = std::make_shared<const char>('\0'), origin_;
+  std::uint32_t num_failures_ = 0;  // of repairs, one after the other
+  std::uint32_t num_skipped_ = 0;   // steps since that were not tried
   // What there was when all cells were constructed.
   std::size_t num_constructed_ = 0;                            // rows
   std::vector<double> constructed_below_, constructed_above_;  // what was known beside the box
