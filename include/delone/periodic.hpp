@@ -63,7 +63,8 @@ struct PeriodicOptions {
 /// have no more bits, as single precision.
 ///
 /// *Result.* Exact for the points on the grid, ties perturbed as in Triangulation. It is a function of the
-/// set S + L: not of which translates were given, of the basis of the lattice, order or seed. Of points that
+/// set S + L: not of which translates were given, of the basis of the lattice, order or seed. Arrays are
+/// functions of the given points and the lattice, also after moved(). Of points that
 /// are translates of each other the first counts, the others are duplicates; with weights the heaviest.
 /// Method: the points in the box and as many images as their cells are in conflict with
 /// (docs/decisions/0038-periodic-sets-have-ghosts.md). Cost: in space for uniform points about twice that of

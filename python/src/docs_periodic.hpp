@@ -69,10 +69,10 @@ A simple cubic lattice with one point per box has six cells, all at translates o
 >>> t.num_cells, t.is_simplicial
 (6, False)
 >>> t.cell_offsets[0]
-array([[ 1, -1, -1],
-       [ 1,  0, -1],
-       [ 0,  0,  0],
-       [ 1, -1,  0]], dtype=int32)
+array([[0, 0, 0],
+       [0, 0, 1],
+       [1, 0, 0],
+       [0, 1, 0]], dtype=int32)
 
 A slab is periodic along two axes:
 

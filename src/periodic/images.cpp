@@ -43,19 +43,29 @@ void Images::make_pages() {
   std::vector<double> records;
   records.reserve(n * (width + 1));
   largest_weight_ = -std::numeric_limits<double>::infinity();
-  std::uint32_t heaviest = 0;
+  double least_from_middle = std::numeric_limits<double>::infinity();
+  std::uint32_t chosen = 0;
   for (std::size_t row = 0; row < n; ++row) {
     records.insert(records.end(), set_.row(row), set_.row(row) + width);
     records.push_back(tiles::coded_row(static_cast<std::int64_t>(row)));
-    if (!set_.weighted) continue;
+    if (!set_.weighted) {
+      double from_middle = 0;
+      for (std::size_t i = 0; i < set_.rank; ++i)
+        from_middle = std::max(from_middle, std::abs(set_.period.fraction(i, set_.row(row)) - 0.5));
+      if (from_middle < least_from_middle) {
+        least_from_middle = from_middle;
+        chosen = static_cast<std::uint32_t>(row);
+      }
+      continue;
+    }
     const double weight = set_.row(row)[set_.dimension];
     weight_range_ = std::max(weight_range_, std::abs(weight));
     if (weight > largest_weight_) {
       largest_weight_ = weight;
-      heaviest = static_cast<std::uint32_t>(row);
+      chosen = static_cast<std::uint32_t>(row);
     }
   }
-  extreme_.push_back(heaviest);
+  extreme_.push_back(chosen);
   tiles::order_pages(records, tiles::points_per_page(n), table_);
   const double* record = records.data();
   for (std::size_t page = 0; page < table_.num_pages(); ++page) {

@@ -66,7 +66,9 @@ class Images {
   }
 
   /// Far images around the box, so that every point of the set is in the interior of the convex hull of all
-  /// that is along the lattice: about a heaviest point, and the extreme ones in free directions.
+  /// that is along the lattice: about a heaviest point, and the extreme ones in free directions. Without
+  /// weights about the point nearest to the middle of the box: then a layer is in the interior, too, and the
+  /// hull does not change in a time step.
   std::vector<Image> frame();
   /// The images of a page that are nearer to the box than about `width` times the distance of neighbors on
   /// that page. They are known from here on.
@@ -117,7 +119,7 @@ class Images {
   std::vector<double> known_below_, known_above_, fraction_slack_;
   std::vector<double> along_, along_low_, along_high_;
   std::vector<double> free_, low_, high_;
-  std::vector<std::uint32_t> extreme_;  // rows: a heaviest one, and two for each free direction
+  std::vector<std::uint32_t> extreme_;  // rows: that one, and two for each free direction
 };
 
 }  // namespace delone::periodic

@@ -32,7 +32,7 @@ Pairs difference(const Pairs& a, const Pairs& b) {
   return rest;
 }
 
-Pairs listed(const std::vector<SignedIndex>& rows, const std::vector<std::int32_t>& offsets, int rank) {
+Pairs listed_pairs(const std::vector<SignedIndex>& rows, const std::vector<std::int32_t>& offsets, int rank) {
   const auto r = static_cast<std::size_t>(rank);
   Pairs pairs;
   for (std::size_t i = 0; 2 * i < rows.size(); ++i) {
@@ -62,8 +62,8 @@ void expect_changes(const Triangulation& before, const Triangulation& after) {
   const NeighborChanges changes = changed_neighbors(before, after);
   const Pairs first = all_pairs(before), then = all_pairs(after);
   EXPECT_EQ(changes.rank, 0);
-  EXPECT_EQ(listed(changes.began, {}, 0), difference(then, first));
-  EXPECT_EQ(listed(changes.ended, {}, 0), difference(first, then));
+  EXPECT_EQ(listed_pairs(changes.began, {}, 0), difference(then, first));
+  EXPECT_EQ(listed_pairs(changes.ended, {}, 0), difference(first, then));
 }
 
 TEST(ChangedNeighbors, OfStepsAndEdits) {
@@ -176,9 +176,9 @@ void expect_changes(const PeriodicTriangulation& before, const PeriodicTriangula
   const auto r = static_cast<std::size_t>(before.rank());
   const Pairs first = all_pairs(before), then = all_pairs(after, periods);
   EXPECT_EQ(changes.rank, before.rank());
-  EXPECT_EQ(moved_back(listed(changes.began, changes.began_offsets, changes.rank), periods, r),
+  EXPECT_EQ(moved_back(listed_pairs(changes.began, changes.began_offsets, changes.rank), periods, r),
             difference(then, first));
-  EXPECT_EQ(listed(changes.ended, changes.ended_offsets, changes.rank), difference(first, then));
+  EXPECT_EQ(listed_pairs(changes.ended, changes.ended_offsets, changes.rank), difference(first, then));
 }
 
 TEST(ChangedNeighbors, OfPeriodicSteps) {
