@@ -111,6 +111,34 @@ int delone_periodic_regular(const double* points, const double* weights, std::si
   });
 }
 
+int delone_periodic_moved(const delone_object* before, const double* points, std::size_t num_points,
+                          const double* weights, const double* lattice, delone_object** object) {
+  return make(object, [&] {
+    const PeriodicObject& from = as_periodic(before);
+    const PeriodicTriangulation& t = from.triangulation();
+    const PointsView to = view_of(points, num_points, t.dimension(), "points");
+    const Lattice box = lattice == nullptr
+                            ? Lattice()
+                            : lattice_of(lattice, static_cast<std::size_t>(t.rank()), t.dimension());
+    if (!t.is_regular()) {
+      if (weights != nullptr)
+        throw Error(Errc::invalid_argument, "points of this triangulation have no weights");
+      const auto& delaunay = static_cast<const PeriodicDelaunay<>&>(t);
+      return std::make_unique<PeriodicObject>(
+          std::make_shared<const PeriodicDelaunay<>>(lattice == nullptr ? delaunay.moved(to)
+                                                                        : delaunay.moved(to, box)),
+          from.threads());
+    }
+    const auto& regular = static_cast<const PeriodicRegular<>&>(t);
+    const std::span<const double> of_rows =
+        weights == nullptr ? t.weights() : matrix(weights, num_points, 1, "weights");
+    return std::make_unique<PeriodicObject>(
+        std::make_shared<const PeriodicRegular<>>(lattice == nullptr ? regular.moved(to, of_rows)
+                                                                     : regular.moved(to, of_rows, box)),
+        from.threads());
+  });
+}
+
 int delone_periodic_locate(const delone_object* triangulation, const double* queries, std::size_t num_queries,
                            const delone_options* options, std::int64_t* cells, std::int32_t* offsets,
                            std::uint8_t* kinds, double* barycentric) {

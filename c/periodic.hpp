@@ -24,6 +24,7 @@ class PeriodicObject final : public delone_object {
   void write(const std::string& path, const std::string& format) const override;
 
   const PeriodicTriangulation& triangulation() const { return *made_; }
+  unsigned threads() const { return threads_; }
   const PeriodicPointLocator& locator() const {
     return locator_.get([&] { return PeriodicPointLocator(*made_); });
   }

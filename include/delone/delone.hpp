@@ -27,6 +27,7 @@
 #include <delone/lower_hull.hpp>
 #include <delone/measures.hpp>
 #include <delone/natural_neighbors.hpp>
+#include <delone/neighbor_changes.hpp>
 #include <delone/options.hpp>
 #include <delone/periodic.hpp>
 #include <delone/periodic_faces.hpp>

@@ -63,7 +63,8 @@ struct PeriodicOptions {
 /// have no more bits, as single precision.
 ///
 /// *Result.* Exact for the points on the grid, ties perturbed as in Triangulation. It is a function of the
-/// set S + L: not of which translates were given, of the basis of the lattice, order or seed. Of points that
+/// set S + L: not of which translates were given, of the basis of the lattice, order or seed. Arrays are
+/// functions of the given points and the lattice, also after moved(). Of points that
 /// are translates of each other the first counts, the others are duplicates; with weights the heaviest.
 /// Method: the points in the box and as many images as their cells are in conflict with
 /// (docs/decisions/0038-periodic-sets-have-ghosts.md). Cost: in space for uniform points about twice that of
@@ -126,6 +127,9 @@ class DELONE_EXPORT PeriodicTriangulation {
   PeriodicTriangulation(std::span<const double> points, std::span<const double> weights, bool is_regular,
                         const Lattice& lattice, int dimension, const PeriodicOptions& how,
                         const Options& options);
+  /// `lattice`: null for the same.
+  PeriodicTriangulation(const PeriodicTriangulation& before, std::span<const double> points,
+                        std::span<const double> weights, const Lattice* lattice);
   PeriodicTriangulation(PeriodicTriangulation&&) noexcept;
   PeriodicTriangulation& operator=(PeriodicTriangulation&&) noexcept;
   ~PeriodicTriangulation();
@@ -154,6 +158,22 @@ class PeriodicDelaunay : public PeriodicTriangulation {
                    const Options& options = {})
       : PeriodicTriangulation(coordinates_of(points, lattice), {}, false, lattice,
                               D == dynamic ? lattice.dimension : D, how, options) {}
+
+  /// A time step: what a new construction of these points would be, with the options of this one; point i is
+  /// where that of row i has moved to. They may be anywhere, as at first. Where most points have moved
+  /// little, beyond the border or not, a copy of the triangulation is repaired and certified: steps by a
+  /// thousandth of the mean distance of neighbors take some 0.5 of a construction in space. Otherwise
+  /// everything is constructed. This object stays as it is; t = t.moved(points) goes on. With another
+  /// lattice, of the same rank, for boxes that change. Throws as the constructor; bad_dimension also for
+  /// another number of points.
+  PeriodicDelaunay moved(const AnyPoints<D>& to) const { return {*this, to, nullptr}; }
+  PeriodicDelaunay moved(const AnyPoints<D>& to, const Lattice& lattice) const {
+    return {*this, to, &lattice};
+  }
+
+ private:
+  PeriodicDelaunay(const PeriodicDelaunay& before, const AnyPoints<D>& to, const Lattice* lattice)
+      : PeriodicTriangulation(before, coordinates_of(to, before.lattice()), {}, lattice) {}
 };
 
 /// The regular triangulation of weighted points and their translates; a translate has the weight of its
@@ -169,6 +189,20 @@ class PeriodicRegular : public PeriodicTriangulation {
                   const PeriodicOptions& how = {}, const Options& options = {})
       : PeriodicTriangulation(coordinates_of(points, lattice), weights, true, lattice,
                               D == dynamic ? lattice.dimension : D, how, options) {}
+
+  /// As PeriodicDelaunay::moved(), with a weight for each point.
+  PeriodicRegular moved(const AnyPoints<D>& to, std::span<const double> weights) const {
+    return {*this, to, weights, nullptr};
+  }
+  PeriodicRegular moved(const AnyPoints<D>& to, std::span<const double> weights,
+                        const Lattice& lattice) const {
+    return {*this, to, weights, &lattice};
+  }
+
+ private:
+  PeriodicRegular(const PeriodicRegular& before, const AnyPoints<D>& to, std::span<const double> weights,
+                  const Lattice* lattice)
+      : PeriodicTriangulation(before, coordinates_of(to, before.lattice()), weights, lattice) {}
 };
 
 }  // namespace delone

@@ -24,6 +24,7 @@ from ._files import CheckReport, check, generate, lower_hull, read, write_points
 from ._locations import Locations
 from ._methods import attach as _attach
 from ._missing import attach as _attach_missing
+from ._neighbor_changes import NeighborChanges, changed_neighbors
 from ._patch import patch_scipy, scipy_is_patched, unpatch_scipy
 from ._periodic_faces import PeriodicFaces
 from ._polyhedra import Optimum, PolyhedraIntersection, PolyhedraVertices, intersections, polyhedra_vertices, read_polyhedron, union_volume
@@ -32,14 +33,14 @@ from ._site_cells import SiteCells, coordination
 
 __all__ = ["AlphaComplex", "CancelledError", "Changes", "CheckReport", "ClippedRegions", "ComplexData", "ConvexHull", "ConvexHulls", "Data", "Delaunay", "Error", "Faces",
            "Forecast", "FurthestSite", "FurthestVoronoi", "HalfspaceIntersection", "HullData", "InputError", "IntersectionData", "LinearInterpolator", "Locations",
-           "LowerHull", "NaturalNeighborInterpolator", "Optimum", "OutOfMemoryError", "PeriodicDelaunay", "PeriodicFaces", "PeriodicLinearInterpolator",
+           "LowerHull", "NaturalNeighborInterpolator", "NeighborChanges", "Optimum", "OutOfMemoryError", "PeriodicDelaunay", "PeriodicFaces", "PeriodicLinearInterpolator",
            "PeriodicNaturalNeighborInterpolator", "PeriodicRegular", "PolyhedraIntersection", "PolyhedraVertices", "Polyhedron", "PowerDiagram", "Regular", "SiteCells", "TimeLimitError",
-           "TrimResult", "Voronoi", "VoronoiData", "__version__", "ball_halfspaces", "check", "convex_hulls", "coordination", "cylinder_halfspaces", "dtfe_density", "estimate", "forecast",
+           "TrimResult", "Voronoi", "VoronoiData", "__version__", "ball_halfspaces", "changed_neighbors", "check", "convex_hulls", "coordination", "cylinder_halfspaces", "dtfe_density", "estimate", "forecast",
            "generate", "intersections", "lloyd", "lower_hull", "natural_neighbors",
            "patch_scipy", "polyhedra_vertices", "prescribed_volumes", "read", "read_polyhedron", "scipy_is_patched", "union_volume", "unpatch_scipy", "write_points"]
 
 for _name in __all__:
-    if getattr(globals()[_name], "__module__", "").startswith(("delone._core", "delone._changes", "delone._clipped_regions", "delone._convex_hulls", "delone._data", "delone._density", "delone._files", "delone._periodic_faces", "delone._polyhedra", "delone._shaped_cells", "delone._site_cells")):
+    if getattr(globals()[_name], "__module__", "").startswith(("delone._core", "delone._changes", "delone._clipped_regions", "delone._convex_hulls", "delone._data", "delone._density", "delone._files", "delone._neighbor_changes", "delone._periodic_faces", "delone._polyhedra", "delone._shaped_cells", "delone._site_cells")):
         globals()[_name].__module__ = "delone"
 del _name
 _attach()

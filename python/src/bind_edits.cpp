@@ -5,6 +5,7 @@
 #include "arrays.hpp"
 #include "docs_edits.hpp"
 #include "docstring.hpp"
+#include "neighbor_changes.hpp"
 #include "pickling.hpp"
 
 #include <pybind11/stl.h>
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -297,6 +299,21 @@ py::object copy(const py::object& self) {
   return made;
 }
 
+/// All threads lock the one at the lower address first, so that none waits for another in a circle.
+py::tuple changes_of_neighbors(const Held& before, const Held& after) {
+  Supervisor supervisor;
+  return as_tuple(supervisor.run([&] {
+    if (&before == &after)
+      return before.with_unsorted([](const Triangulation& t) { return changed_neighbors(t, t); });
+    const bool in_order = std::less<>()(&before, &after);
+    return (in_order ? before : after).with_unsorted([&](const Triangulation& first) {
+      return (in_order ? after : before).with_unsorted([&](const Triangulation& second) {
+        return in_order ? changed_neighbors(first, second) : changed_neighbors(second, first);
+      });
+    });
+  }));
+}
+
 py::array hidden(const Held& held) {
   return list_view(count(held, [](const Triangulation& t) {
     const std::vector<std::size_t> rows = t.hidden_rows();
@@ -418,6 +435,7 @@ void bind_points_only(Class<T>& type) {
 }  // namespace
 
 void bind_edits(py::module_& module, py::class_<Held, std::shared_ptr<Held>>& base) {
+  module.def("_changed_neighbors", &changes_of_neighbors, "before"_a, "after"_a);
   base.def("remove", &remove, "rows"_a, py::kw_only(), "progress"_a = py::none(), text(docs::edits::remove))
       .def("move", &move, "rows"_a, "points"_a, py::kw_only(), "progress"_a = py::none(),
            text(docs::edits::move))

@@ -6,6 +6,7 @@
 #include "docstring.hpp"
 #include "held_periodic.hpp"
 #include "module.hpp"
+#include "neighbor_changes.hpp"
 #include "pickling.hpp"
 #include "running.hpp"
 #include "saving.hpp"
@@ -13,11 +14,13 @@
 
 #include <pybind11/stl.h>
 
+#include <delone/neighbor_changes.hpp>
 #include <delone/periodic.hpp>
 #include <delone/periodic_faces.hpp>
 
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -260,6 +263,56 @@ py::tuple periodic_site_cells(const HeldPeriodic& held, bool neighbors, bool ver
       [&](const PeriodicTriangulation& t) { return site_cells(t, options, {.threads = held.threads()}); }));
 }
 
+/// Calls make(from, points, lattice or null) without the GIL, for a step of a triangulation.
+template <class Made, class Step>
+HeldPeriodic::Held made_step(const HeldPeriodic& held, const py::array_t<double>& rows,
+                             const py::object& lattice, const py::object& progress, Step step) {
+  std::optional<Lattice> box;
+  if (!lattice.is_none()) box = as_lattice(lattice, py::none(), held.dimension());
+  Supervisor supervisor(progress);
+  return supervisor.run([&, from = held.owner()]() -> HeldPeriodic::Held {
+    return std::make_shared<const Made>(
+        step(static_cast<const Made&>(*from), PointsView(numbers(rows), held.dimension()), box));
+  });
+}
+
+std::unique_ptr<HeldPeriodicDelaunay> moved_delaunay(const HeldPeriodicDelaunay& held,
+                                                     const py::object& points, const py::object& lattice,
+                                                     const py::object& progress) {
+  const auto rows = as_more_points(points, held.dimension(), "points");
+  return std::make_unique<HeldPeriodicDelaunay>(
+      made_step<PeriodicDelaunay<>>(
+          held, rows, lattice, progress,
+          [](const PeriodicDelaunay<>& from, PointsView to, const std::optional<Lattice>& box) {
+            return box ? from.moved(to, *box) : from.moved(to);
+          }),
+      held.options(), static_cast<int>(held.threads()));
+}
+
+std::unique_ptr<HeldPeriodicRegular> moved_regular(const HeldPeriodicRegular& held, const py::object& points,
+                                                   const py::object& weights, const py::object& lattice,
+                                                   const py::object& progress) {
+  const auto rows = as_more_points(points, held.dimension(), "points");
+  const auto of_rows =
+      as_doubles(weights.is_none() ? py::object(periodic_weights(held)) : weights, "weights");
+  if (of_rows.ndim() != 1)
+    throw py::value_error("weights: an array of shape (n,), not " + shown(of_rows.attr("shape")));
+  return std::make_unique<HeldPeriodicRegular>(
+      made_step<PeriodicRegular<>>(
+          held, rows, lattice, progress,
+          [&](const PeriodicRegular<>& from, PointsView to, const std::optional<Lattice>& box) {
+            return box ? from.moved(to, numbers(of_rows), *box) : from.moved(to, numbers(of_rows));
+          }),
+      held.options(), static_cast<int>(held.threads()));
+}
+
+py::tuple changed_periodic_neighbors(const HeldPeriodic& before, const HeldPeriodic& after) {
+  Supervisor supervisor;
+  return as_tuple(supervisor.run([&, a = before.owner(), b = after.owner()] {
+    return changed_neighbors(*a, *b, {.threads = after.threads()});
+  }));
+}
+
 template <class Class>
 void define_members(Class& type) {
   type.def_property_readonly(
@@ -374,23 +427,28 @@ void define_members(Class& type) {
 void bind_periodic(py::module_& module) {
   py::class_<HeldPeriodic> base(module, "PeriodicTriangulation", text(docs::periodic::base));
   define_members(base);
+  module.def("_changed_periodic_neighbors", &changed_periodic_neighbors, "before"_a, "after"_a);
   py::class_<HeldPeriodicDelaunay, HeldPeriodic>(module, "PeriodicDelaunay", text(docs::periodic::delaunay))
       .def(py::init(&construct_delaunay), "points"_a, "lattice"_a, "axes"_a = py::none(), py::kw_only(),
            "exact"_a = false, "wrap"_a = true, "unit"_a = py::none(), "seed"_a = 0, "order"_a = "automatic",
            "threads"_a = 0, "progress"_a = py::none(), "memory_limit"_a = py::none(),
            "time_limit"_a = py::none())
-      .def(py::pickle(&periodic_state, [](const py::tuple& given) {
-        return restored_periodic<HeldPeriodicDelaunay>(given, false);
-      }));
+      .def(py::pickle(
+          &periodic_state,
+          [](const py::tuple& given) { return restored_periodic<HeldPeriodicDelaunay>(given, false); }))
+      .def("moved", &moved_delaunay, "points"_a, py::kw_only(), "lattice"_a = py::none(),
+           "progress"_a = py::none(), text(docs::periodic::moved));
   py::class_<HeldPeriodicRegular, HeldPeriodic>(module, "PeriodicRegular", text(docs::periodic::regular))
       .def(py::init(&construct_regular), "points"_a, "weights"_a, "lattice"_a, "axes"_a = py::none(),
            py::kw_only(), "exact"_a = false, "wrap"_a = true, "unit"_a = py::none(), "seed"_a = 0,
            "order"_a = "automatic", "threads"_a = 0, "progress"_a = py::none(), "memory_limit"_a = py::none(),
            "time_limit"_a = py::none())
       .def_property_readonly("weights", &periodic_weights, "The weights, (n,) float64.")
-      .def(py::pickle(&periodic_state, [](const py::tuple& given) {
-        return restored_periodic<HeldPeriodicRegular>(given, true);
-      }));
+      .def(py::pickle(
+          &periodic_state,
+          [](const py::tuple& given) { return restored_periodic<HeldPeriodicRegular>(given, true); }))
+      .def("moved", &moved_regular, "points"_a, "weights"_a = py::none(), py::kw_only(),
+           "lattice"_a = py::none(), "progress"_a = py::none(), text(docs::periodic::moved_with_weights));
 }
 
 }  // namespace delone::python

@@ -148,7 +148,9 @@ void Construction::assign_rows(const BulkInsertion& bulk, std::size_t first_row)
     state_.sites.assign(first_row + row, index(state_.sites.vertex_of(first_row + same)));
 }
 
-void Construction::edit(const RowEdits& edits, const EditHints& hints) { Editing(*this, edits, hints).run(); }
+bool Construction::edit(const RowEdits& edits, const EditHints& hints) {
+  return Editing(*this, edits, hints).run();
+}
 
 /// A later sort_cells() would drop the record, so cells of a new engine are sorted now.
 void Construction::sort_cells_on_record() {

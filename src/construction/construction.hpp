@@ -26,6 +26,7 @@ struct EditHints {
   Index start = invalid_index;  ///< a cell to walk from to the first new point, if nothing is removed
   bool rebuilds = false;        ///< to rebuild everything costs less
   bool moves_in_place = true;   ///< vertices that move may stay where they are in the cells
+  bool may_rebuild = true;      ///< if not, an edit that would rebuild everything is given up instead
 };
 
 class Construction {
@@ -42,8 +43,9 @@ class Construction {
   /// one, is called when the coordinates are not needed any more, before most cells are created.
   void insert(std::span<const double> coordinates, std::span<const double> weights,
               const std::function<void()>& release);
-  /// Removes, moves, reweights and inserts rows. REQUIRES lists that are valid (require_valid()).
-  void edit(const RowEdits& edits, const EditHints& hints);
+  /// Removes, moves, reweights and inserts rows. Returns false if it was given up (EditHints::may_rebuild):
+  /// then the transaction must not be committed. REQUIRES lists that are valid (require_valid()).
+  bool edit(const RowEdits& edits, const EditHints& hints);
 
   /// What the transaction has done so far.
   Changes changes() const { return changes_since(state_, *record_); }

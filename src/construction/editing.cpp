@@ -25,14 +25,18 @@ void Editing::tick_batch(std::size_t placed, std::size_t of) {
   progress_(begun + (total_ - begun) * placed / of);
 }
 
-void Editing::run() {
+bool Editing::run() {
   plan();
-  if (!move_all_in_place()) return rebuild();
+  if (!move_all_in_place()) return rebuild_if_allowed();
   move_some_in_place();
-  if (is_worth_rebuilding() || !take_all_out())
-    rebuild();
-  else
-    place_all();
+  if (is_worth_rebuilding() || !take_all_out()) return rebuild_if_allowed();
+  place_all();
+  return true;
+}
+
+bool Editing::rebuild_if_allowed() {
+  if (hints_.may_rebuild) rebuild();
+  return hints_.may_rebuild;
 }
 
 /// What becomes of vertices.

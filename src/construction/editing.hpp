@@ -29,7 +29,7 @@ class Editing {
   Editing(const Editing&) = delete;
   Editing& operator=(const Editing&) = delete;
 
-  void run();
+  bool run();
 
  private:
   /// A vertex that is to be placed at a point: with a new id and row, or with the id that it has.
@@ -80,6 +80,7 @@ class Editing {
   Index start_near(const double* point, Index near, const double* before);
   void place(const Placement& placement);
   void place_again(Index v);
+  bool rebuild_if_allowed();
   void rebuild();
   struct Live;
   Live live_vertices() const;

@@ -3,6 +3,12 @@
 // each class: the one whose lexicographically smallest vertex is a point of the set in the box. A translation
 // keeps the order of points, so there is exactly one. Cells with a vertex in the box are cells of the whole
 // set; others may be none.
+//
+// Numbers of classes and the order of vertices in each are those of the public arrays: functions of the rows,
+// the given points and the lattice, and not of how the triangulation came about. Classes are in the order of
+// their smallest vertices along a curve through the box, and those of one row in the order of their vertices.
+// Vertices are in the order of their rows, and images of one row in that of their offsets from the smallest
+// vertex; the last two are exchanged where the orientation wants it so.
 #pragma once
 
 #include "periodic/ghost_triangulation.hpp"
@@ -39,6 +45,11 @@ class CellClasses {
 
   const CanonicalCells& canonical() const { return canonical_; }
   CellId cell(SignedIndex number) const { return canonical_.cells[static_cast<std::size_t>(number)]; }
+  /// Where vertex i of a class is among those of its cell in the triangulation.
+  int slot(std::size_t number, std::size_t i) const { return slots_[number * corners_ + i]; }
+  VertexId vertex(SignedIndex number, std::size_t i) const {
+    return complex_.vertex(cell(number), slot(static_cast<std::size_t>(number), i));
+  }
   /// The row of the smallest vertex.
   std::uint32_t row_of_smallest(std::size_t number) const {
     return ghosts_.image_of(canonical_.smallest[number]).row;
@@ -59,14 +70,20 @@ class CellClasses {
   }
   /// The vertex in the box of which v is an image; invalid_vertex if its point is hidden there. Cells with a
   /// vertex in the box have no such vertex.
-  VertexId own_vertex(VertexId v) const { return ghosts_.triangulation().vertex_at(ghosts_.image_of(v).row); }
+  VertexId own_vertex(VertexId v) const { return ghosts_.vertex_of_row(ghosts_.image_of(v).row); }
 
  private:
+  void order_rows(const PeriodicSet& set);
+  void sort_by_row();
+  void sort_within_rows(const PeriodicSet& set);
+
   const GhostTriangulation& ghosts_;
   const Complex complex_;
-  const CanonicalCells canonical_;
+  CanonicalCells canonical_;
   const std::size_t r_, corners_;
-  std::vector<std::size_t> first_of_row_, by_row_;  // numbers of cells by the rows of their smallest vertices
+  std::vector<std::uint32_t> row_at_, place_of_row_;  // along the curve
+  std::vector<std::size_t> first_at_;                 // by place, the first number of a class with this row
+  std::vector<std::uint8_t> slots_;
 };
 
 }  // namespace delone::periodic

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rounds of insertions and questions.
+// Rounds of insertions and questions; steps are in ghost_step.cpp.
 #include "periodic/ghost_triangulation.hpp"
 
 #include "base/build_limits.hpp"
@@ -16,6 +16,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <utility>
 
 namespace delone::periodic {
@@ -25,6 +27,19 @@ namespace {
 /// How wide the layer of ghosts is to begin with, in distances of neighbors. In four dimensions and more the
 /// ghosts of a layer are soon many more than those that are needed.
 double layer_width(std::size_t dimension) { return dimension <= 3 ? 1.5 : dimension == 4 ? 1.0 : 0.0; }
+
+/// Calls make(options) such that limits and progress are those of all batches and questions together.
+template <class Make>
+void guard(const Options& options, const Make& make) {
+  internal::BuildLimits limits(options.memory_limit, options.time_limit, "points");
+  limits.count_items(false);
+  const internal::ProgressMeter meter(options.progress);
+  Options of_batches = options;
+  of_batches.progress = nullptr;
+  of_batches.memory_limit = 0;
+  of_batches.time_limit = 0;
+  limits.guard([&] { make(of_batches); });
+}
 
 /// Whether the flat of all points is parallel to coordinate axes, so that centers are found in binary64.
 bool is_aligned(const PeriodicSet& set, std::span<const int> axes) {
@@ -218,24 +233,42 @@ class GhostTriangulation::Asking {
 
 GhostTriangulation::GhostTriangulation(const PeriodicSet& set, const Options& options)
     : set_(set), images_(set) {
-  // Limits and progress are those of all batches and questions together.
-  internal::BuildLimits limits(options.memory_limit, options.time_limit, "points");
-  limits.count_items(false);
-  const internal::ProgressMeter meter(options.progress);
-  Options of_batches = options;
-  of_batches.progress = nullptr;
-  of_batches.memory_limit = 0;
-  of_batches.time_limit = 0;
-  limits.guard([&] { construct(of_batches); });
+  guard(options, [&](const Options& of_batches) { construct(of_batches); });
+}
+
+GhostTriangulation::GhostTriangulation(const PeriodicSet& set, const GhostTriangulation& before,
+                                       const Options& options)
+    : set_(set), images_(set) {
+  guard(options, [&](const Options& of_batches) {
+    if (!step_from(before)) construct(of_batches);
+  });
 }
 
 void GhostTriangulation::construct(const Options& options) {
+  images_.forget_known();
+  delaunay_.reset();
+  regular_.reset();
   if (set_.weighted)
     regular_.emplace(static_cast<int>(set_.dimension), options);
   else
     delaunay_.emplace(static_cast<int>(set_.dimension), options);
   if (set_.num_points() == 0) return;
   begin();
+  ask_and_insert(std::numeric_limits<std::size_t>::max());
+  num_constructed_ = image_of_row_.size();
+  constructed_below_ = images_.known_below();
+  constructed_above_ = images_.known_above();
+  // Vertices and cells do not depend on threads.
+  if (delaunay_)
+    delaunay_->sort_cells();
+  else
+    regular_->sort_cells();
+}
+
+/// Asks until nothing is found. Returns false, and is not done, as soon as more images than `most_found` are
+/// found.
+bool GhostTriangulation::ask_and_insert(std::size_t most_found) {
+  std::size_t num_found = 0;
   while (set_.rank > 0) {
     ++effort_.num_rounds;
     found_.clear();
@@ -243,62 +276,74 @@ void GhostTriangulation::construct(const Options& options) {
     ask();
     effort_.ask_seconds += asking.seconds();
     if (found_.empty()) break;
+    num_found += found_.size();
+    if (num_found > most_found) return false;
     const internal::Stopwatch insertion;
     insert_found();
     effort_.later_seconds += insertion.seconds();
   }
-  effort_.num_ghosts = ghosts_.size();
-  // Arrays do not depend on threads.
-  if (delaunay_)
-    delaunay_->sort_cells();
-  else
-    regular_->sort_cells();
+  effort_.num_ghosts = image_of_row_.size() - set_.num_points();
+  return true;
 }
 
 /// The points of the set, the frame and the layer.
 void GhostTriangulation::begin() {
   const internal::Stopwatch insertion;
-  ghosts_ = images_.frame();
-  if (const double width = layer_width(set_.dimension); width > 0 && set_.rank > 0) {
-    const std::vector<Image> layer = images_.layer(width);
-    ghosts_.insert(ghosts_.end(), layer.begin(), layer.end());
+  const std::size_t n = set_.num_points(), width = set_.row_size();
+  own_row_.resize(n);
+  std::iota(own_row_.begin(), own_row_.end(), std::uint32_t{0});
+  image_of_row_.clear();
+  for (const std::uint32_t row : own_row_) image_of_row_.push_back({row, 0});
+  const std::vector<Image> frame = images_.frame();
+  image_of_row_.insert(image_of_row_.end(), frame.begin(), frame.end());
+  if (const double layer_size = layer_width(set_.dimension); layer_size > 0 && set_.rank > 0) {
+    const std::vector<Image> layer = images_.layer(layer_size);
+    image_of_row_.insert(image_of_row_.end(), layer.begin(), layer.end());
   }
-  const std::size_t n = set_.num_points(), d = set_.dimension, width = set_.row_size();
   std::vector<double> rows = set_.rows;
-  rows.resize((n + ghosts_.size()) * width);
-  for (std::size_t i = 0; i < ghosts_.size(); ++i) images_.copy_image(ghosts_[i], &rows[(n + i) * width]);
-  if (delaunay_) {
-    delaunay_->insert_range(std::move(rows));
-  } else {
-    std::vector<double> coordinates, weights;
-    for (std::size_t at = 0; at < rows.size(); at += width) {
-      coordinates.insert(coordinates.end(), &rows[at], &rows[at] + d);
-      weights.push_back(rows[at + d]);
-    }
-    regular_->insert_range(std::move(coordinates), weights);
-  }
+  rows.resize(image_of_row_.size() * width);
+  for (std::size_t i = n; i < image_of_row_.size(); ++i)
+    images_.copy_image(image_of_row_[i], &rows[i * width]);
+  insert_rows(std::move(rows));
+  image_of_vertex_.clear();
+  num_rows_done_ = 0;
   enter_vertices();
   effort_.insert_seconds = insertion.seconds();
+}
+
+/// Rows of points with weights, where there are any, in bulk.
+void GhostTriangulation::insert_rows(std::vector<double> rows) {
+  if (delaunay_) return delaunay_->insert_range(std::move(rows));
+  const std::size_t d = set_.dimension;
+  std::vector<double> coordinates, weights;
+  for (std::size_t at = 0; at < rows.size(); at += set_.row_size()) {
+    coordinates.insert(coordinates.end(), &rows[at], &rows[at] + d);
+    weights.push_back(rows[at + d]);
+  }
+  regular_->insert_range(std::move(coordinates), weights);
+}
+
+VertexId GhostTriangulation::id_of_row(std::size_t row) const {
+  return triangulation::StoredPoints::vertices_of_rows(triangulation())[own_row_[row]];
 }
 
 /// The vertices of rows that were inserted since.
 void GhostTriangulation::enter_vertices() {
   // A hidden vertex keeps its id, which Complex does not show.
   const auto& vertex_of_row = triangulation::StoredPoints::vertices_of_rows(triangulation());
-  const std::size_t slots = triangulation::StoredPoints::of(triangulation()).last_vertex() + std::size_t{1},
-                    n = set_.num_points();
+  const std::size_t slots = triangulation::StoredPoints::of(triangulation()).last_vertex() + std::size_t{1};
   const std::size_t before = image_of_vertex_.size();
   image_of_vertex_.resize(slots, {std::uint32_t(-1), 0});
+  const auto enter = [&](std::size_t row, const Image& image) {
+    Image& known = image_of_vertex_[index(vertex_of_row[row])];
+    if (known.row == std::uint32_t(-1)) known = image;
+  };
+  if (num_rows_done_ == 0)
+    for (std::uint32_t row = 0; row < own_row_.size(); ++row) enter(own_row_[row], {row, 0});
   for (; num_rows_done_ < vertex_of_row.size(); ++num_rows_done_) {
-    const std::size_t row = num_rows_done_;
-    Image& image = image_of_vertex_[index(vertex_of_row[row])];
-    if (image.row != std::uint32_t(-1)) continue;
-    if (row < n) {
-      image = {static_cast<std::uint32_t>(row), 0};
-    } else {  // the first row at the point
-      const Image& ghost = ghosts_[row - n];
-      image = {image_of_vertex_[index(vertex_of_row[ghost.row])].row, ghost.shift};
-    }
+    const Image& image = image_of_row_[num_rows_done_];
+    const Index own = index(vertex_of_row[own_row_[image.row]]);
+    enter(num_rows_done_, {image_of_vertex_[own].row, image.shift});  // the first row at the point
   }
   first_new_vertex_ = static_cast<Index>(std::max<std::size_t>(before, 1));
 }
@@ -329,13 +374,12 @@ void GhostTriangulation::insert_found() {
                            [&](const Found& a, const Found& b) { return number(a) == number(b); }),
                found_.end());
   for (const Found& one : found_) {
-    ghosts_.push_back(one.image);
+    image_of_row_.push_back(one.image);
     if (one.place)
       images_.shift(one.image.shift)
           .known.add(one.place->page, one.place->slot, images_.table().page_size(one.place->page));
   }
   std::vector<double> row(set_.row_size());
-  const std::span<const double> point(row.data(), set_.dimension);
   // A batch goes through all cells several times, some 10 ns for each; a point by itself takes some 5 µs.
   constexpr std::size_t cells_per_point = 512;
   if (found_.size() < triangulation().num_all_cells() / cells_per_point) {
@@ -343,26 +387,26 @@ void GhostTriangulation::insert_found() {
       internal::cancellation_point();
       images_.copy_image(one.image, row.data());
       // The cell may have gone. Then another one is in its place, or none.
-      const std::optional<CellId> hint =
-          triangulation().complex().is_cell(one.cell) ? std::optional(one.cell) : std::nullopt;
-      if (delaunay_)
-        delaunay_->insert(point, hint);
-      else
-        regular_->insert(point, row[set_.dimension], hint);
+      insert_row(row, triangulation().complex().is_cell(one.cell) ? std::optional(one.cell) : std::nullopt);
     }
   } else {
-    std::vector<double> coordinates, weights;
+    std::vector<double> rows;
     for (const Found& one : found_) {
       images_.copy_image(one.image, row.data());
-      coordinates.insert(coordinates.end(), point.begin(), point.end());
-      if (set_.weighted) weights.push_back(row.back());
+      rows.insert(rows.end(), row.begin(), row.end());
     }
-    if (delaunay_)
-      delaunay_->insert_range(std::move(coordinates));
-    else
-      regular_->insert_range(std::move(coordinates), weights);
+    insert_rows(std::move(rows));
   }
   enter_vertices();
+}
+
+/// Inserts a point, with its weight if it has one.
+void GhostTriangulation::insert_row(std::span<const double> row, std::optional<CellId> near) {
+  const std::span<const double> point = row.first(set_.dimension);
+  if (delaunay_)
+    delaunay_->insert(point, near);
+  else
+    regular_->insert(point, row.back(), near);
 }
 
 }  // namespace delone::periodic

@@ -36,15 +36,25 @@ class GhostTriangulation {
  public:
   /// REQUIRES that the set outlives the object.
   GhostTriangulation(const PeriodicSet& set, const Options& options);
+  /// The same, of a set whose points have moved from those of another triangulation, row by row: where most
+  /// have moved little, a copy of that one is repaired (ghost_step.cpp).
+  GhostTriangulation(const PeriodicSet& set, const GhostTriangulation& before, const Options& options);
   GhostTriangulation(const GhostTriangulation&) = delete;
   GhostTriangulation& operator=(const GhostTriangulation&) = delete;
 
-  /// Rows 0 … n−1 are the points of the set, the others ghosts.
+  /// Its rows are points of the set and ghosts, in any order.
   const Triangulation& triangulation() const {
     return delaunay_ ? static_cast<const Triangulation&>(*delaunay_) : *regular_;
   }
   /// Of a finite vertex: the first row of the set at its point, and the shift; 0 for a point of the set.
   const Image& image_of(VertexId v) const { return image_of_vertex_[index(v)]; }
+  /// The vertex at a point of the set; invalid_vertex if it is hidden.
+  VertexId vertex_of_row(std::size_t row) const { return triangulation().vertex_at(own_row_[row]); }
+  /// The id of that vertex, hidden or not.
+  VertexId id_of_row(std::size_t row) const;
+  std::size_t num_ids() const { return image_of_vertex_.size(); }
+  /// Whether this is a repaired copy of another one: then vertices that both have go by the same ids.
+  bool comes_from(const GhostTriangulation& other) const { return origin_ == other.identity_; }
   bool is_own(VertexId v) const { return v != infinite_vertex && image_of(v).shift == 0; }
   std::span<const std::int32_t> offset_of(VertexId v) const { return images_.shift(image_of(v).shift).k; }
   const Images& images() const { return images_; }
@@ -53,6 +63,7 @@ class GhostTriangulation {
  private:
   template <int D>
   class Asking;
+  class Step;
 
   /// An image that a cell is in conflict with, and its place among the pages if it was searched there.
   struct Found {
@@ -63,21 +74,31 @@ class GhostTriangulation {
 
   void construct(const Options& options);
   void begin();
+  bool ask_and_insert(std::size_t most_found);
   void ask();
   void insert_found();
-  void insert(std::span<const Image> ghosts);
+  void insert_rows(std::vector<double> rows);
+  void insert_row(std::span<const double> row, std::optional<CellId> near);
+  bool step_from(const GhostTriangulation& before);
   void enter_vertices();
 
   const PeriodicSet& set_;
   Images images_;
   std::optional<Delaunay<>> delaunay_;
   std::optional<Regular<>> regular_;
-  std::vector<Image> ghosts_;           // of the rows from n on
+  std::vector<Image> image_of_row_;     // by row of the triangulation
+  std::vector<std::uint32_t> own_row_;  // the row of the triangulation of each point of the set
   std::vector<Image> image_of_vertex_;  // by vertex id
   std::size_t num_rows_done_ = 0;       // rows whose vertices are entered
   Index first_new_vertex_ = 1;          // of the last insertion
   std::vector<Found> found_;            // to be inserted next
   GhostEffort effort_;
+  std::shared_ptr<const char> identity_ = std::make_shared<const char>('\0'), origin_;
+  std::uint32_t num_failures_ = 0;  // of repairs, one after the other
+  std::uint32_t num_skipped_ = 0;   // steps since that were not tried
+  // What there was when all cells were constructed.
+  std::size_t num_constructed_ = 0;                            // rows
+  std::vector<double> constructed_below_, constructed_above_;  // what was known beside the box
 };
 
 }  // namespace delone::periodic

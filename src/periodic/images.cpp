@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace delone::periodic {
 
@@ -85,6 +86,26 @@ std::vector<Image> Images::layer(double width) {
     take_layer_of(page, width, images);
   }
   return images;
+}
+
+void Images::set_known(std::vector<double> below, std::vector<double> above, std::span<const Image> images) {
+  known_below_ = std::move(below);
+  known_above_ = std::move(above);
+  std::vector<tiles::PointPlace> place_of_row(set_.num_points());
+  for (std::uint32_t page = 0; page < source_.pages.size(); ++page)
+    for (std::uint32_t slot = 0; slot < source_.pages[page]->size(); ++slot)
+      place_of_row[static_cast<std::size_t>(source_.pages[page]->rows[slot])] = {page, slot};
+  for (const Image& image : images) {
+    if (image.shift == 0) continue;
+    const tiles::PointPlace& place = place_of_row[image.row];
+    shifts_[image.shift]->known.add(place.page, place.slot, table_.page_size(place.page));
+  }
+}
+
+void Images::forget_known() {
+  known_below_.assign(set_.rank, 0.0);
+  known_above_ = known_below_;
+  for (const auto& shift : shifts_) shift->known = tiles::KnownPoints(table_.num_pages());
 }
 
 void Images::take_layer_of(std::size_t number, double width, std::vector<Image>& images) {

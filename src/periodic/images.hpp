@@ -73,6 +73,12 @@ class Images {
   /// All images with f_i in (−known_below(i), 1 + known_above(i)) for all i are known or points of the set.
   double known_below(std::size_t i) const { return known_below_[i]; }
   double known_above(std::size_t i) const { return known_above_[i]; }
+  const std::vector<double>& known_below() const { return known_below_; }
+  const std::vector<double>& known_above() const { return known_above_; }
+  /// From now on these are known, and so are these images.
+  void set_known(std::vector<double> below, std::vector<double> above, std::span<const Image> images);
+  /// None is known.
+  void forget_known();
 
  private:
   class Source final : public tiles::PageSource {

@@ -47,10 +47,10 @@ void PeriodicLinearInterpolator::evaluate(std::span<const double> queries, std::
           return;
         }
         std::ranges::fill(at, 0.0);
-        const VerticesOfCell vertices = parts.complex.vertices(parts.classes.cell(place.cell));
         for (std::size_t i = 0; i < parts.corners; ++i) {
           if (place.barycentric[i] == 0) continue;  // a NaN outside the face of the query does not count
-          const double* const value = values_.data() + parts.row_of(vertices[i]) * columns_;
+          const double* const value =
+              values_.data() + parts.row_of(parts.classes.vertex(place.cell, i)) * columns_;
           for (std::size_t c = 0; c < columns_; ++c) at[c] += place.barycentric[i] * value[c];
         }
       };
@@ -85,7 +85,8 @@ void PeriodicLinearInterpolator::gradients(std::span<const double> queries, std:
           last = place.cell;
           points.clear();
           values.clear();
-          for (const VertexId v : parts.complex.vertices(parts.classes.cell(place.cell))) {
+          for (std::size_t i = 0; i < parts.corners; ++i) {
+            const VertexId v = parts.classes.vertex(place.cell, i);
             points.push_back(parts.point(v));
             const double* const value = values_.data() + parts.row_of(v) * columns_;
             values.insert(values.end(), value, value + columns_);

@@ -71,16 +71,15 @@ class Search {
   void find(const double* q, const Place& place) {
     found.clear();
     if (place.cell < 0) return;
-    const CellId cell = parts_.classes.cell(place.cell);
     if (place.kind == Location::Kind::on_vertex) {
       for (std::size_t i = 0; i < parts_.corners; ++i)
         if (place.barycentric[i] > 0)
-          found.push_back({parts_.complex.vertex(cell, static_cast<int>(i)), offset_of(place), 1});
+          found.push_back({parts_.classes.vertex(place.cell, i), offset_of(place), 1});
       return;
     }
     x_.assign(q, q + parts_.dimension);
     parts_.subtract(place.offset, x_);
-    search_.find(x_.data(), cell, false);
+    search_.find(x_.data(), parts_.classes.cell(place.cell), false);
     if (!is_complete()) {
       find_across(q, place);
       return;

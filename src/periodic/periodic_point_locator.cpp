@@ -85,7 +85,7 @@ PeriodicLocatedPoints PeriodicPointLocator::locate(std::span<const double> queri
       std::vector<std::int32_t> offset(r);
       for (std::size_t i = 0; i < corners; ++i) {
         if (!(place.barycentric[i] > 0)) continue;
-        const VertexId v = parts.complex.vertex(parts.classes.cell(place.cell), static_cast<int>(i));
+        const VertexId v = parts.classes.vertex(place.cell, i);
         parts.given_offset(v, place.offset, wraps, offset.data());
         face.push_back({static_cast<std::int64_t>(parts.row_of(v))});
         face.back().insert(face.back().end(), offset.begin(), offset.end());

@@ -79,10 +79,34 @@ PeriodicTriangulation::PeriodicTriangulation(std::span<const double> points, std
   internal::guarded("the periodic triangulation", [&] {
     const internal::ProgressMeter meter(options.progress);
     periodic::SetInput input{points, weights, lattice.vectors, d, is_regular, how.exact, how.wrap, how.unit};
-    impl_ = std::make_unique<Impl>(input, options);
-    impl_->lattice.dimension = dimension;
-    for (const double x : impl_->set.lattice) impl_->lattice.vectors.push_back(impl_->set.outer(x));
-    impl_->describe_points(points, weights);
+    impl_ = std::make_unique<Impl>(input, lattice, how, options);
+    impl_->describe(points, weights);
+  });
+}
+
+PeriodicTriangulation::PeriodicTriangulation(const PeriodicTriangulation& before,
+                                             std::span<const double> points, std::span<const double> weights,
+                                             const Lattice* lattice) {
+  const Impl& from = *before.impl_;
+  const auto d = static_cast<std::size_t>(from.lattice.dimension);
+  const Lattice& of_step = lattice == nullptr ? from.given_lattice : *lattice;
+  if (of_step.dimension != from.lattice.dimension ||
+      of_step.vectors.size() != from.given_lattice.vectors.size())
+    throw Error(Errc::bad_dimension, "moved: another lattice of rank " + std::to_string(of_step.rank()) +
+                                         " in " + std::to_string(of_step.dimension) +
+                                         " dimensions than that of the triangulation");
+  if (points.size() != before.num_points() * d)
+    throw Error(Errc::bad_dimension, "moved: " + std::to_string(points.size() / d) + " points for " +
+                                         std::to_string(before.num_points()) + " rows");
+  if (weights.size() != from.weights.size())
+    throw Error(Errc::bad_dimension, "moved: " + std::to_string(weights.size()) + " weights for " +
+                                         std::to_string(before.num_points()) + " points");
+  internal::guarded("the periodic triangulation", [&] {
+    const internal::ProgressMeter meter(from.options.progress);
+    impl_ = std::make_unique<Impl>(periodic::SetInput{points, weights, of_step.vectors, d, from.set.weighted,
+                                                      from.how.exact, from.how.wrap, from.how.unit},
+                                   of_step, from);
+    impl_->describe(points, weights);
   });
 }
 
@@ -90,10 +114,10 @@ PeriodicTriangulation::PeriodicTriangulation(PeriodicTriangulation&&) noexcept =
 PeriodicTriangulation& PeriodicTriangulation::operator=(PeriodicTriangulation&&) noexcept = default;
 PeriodicTriangulation::~PeriodicTriangulation() = default;
 
-/// Where the points are, as they were given, and what became of them.
-void PeriodicTriangulation::Impl::describe_points(std::span<const double> given,
-                                                  std::span<const double> given_weights) {
-  const Triangulation& t = ghosts.triangulation();
+void PeriodicTriangulation::Impl::describe(std::span<const double> given,
+                                           std::span<const double> given_weights) {
+  lattice.dimension = given_lattice.dimension;
+  for (const double x : set.lattice) lattice.vectors.push_back(set.outer(x));
   const std::size_t n = set.num_points(), r = set.rank;
   points = set.given_points(given);
   weights.assign(given_weights.begin(), given_weights.end());
@@ -101,7 +125,7 @@ void PeriodicTriangulation::Impl::describe_points(std::span<const double> given,
   point_offsets.resize(n * r);
   std::vector<std::int64_t> offset(r);
   for (std::size_t row = 0; row < n; ++row) {
-    const VertexId v = t.vertex_at(row);
+    const VertexId v = ghosts.vertex_of_row(row);
     if (v == invalid_vertex) {
       vertex_of_point[row] = -1;
       ++num_hidden;

@@ -15,8 +15,25 @@
 #include <vector>
 
 struct delone::PeriodicTriangulation::Impl {
-  Impl(const periodic::SetInput& input, const Options& options)
-      : set(make_periodic_set(input)), ghosts(set, options) {}
+  Impl(const periodic::SetInput& input, const Lattice& given_lattice, const PeriodicOptions& how,
+       const Options& options)
+      : given_lattice(given_lattice),
+        how(how),
+        options(options),
+        set(make_periodic_set(input)),
+        ghosts(set, options) {}
+  /// The same after a step from another one.
+  Impl(const periodic::SetInput& input, const Lattice& given_lattice, const Impl& before)
+      : given_lattice(given_lattice),
+        how(before.how),
+        options(before.options),
+        set(make_periodic_set(input)),
+        ghosts(set, before.ghosts, options) {}
+
+  // As they were given.
+  Lattice given_lattice;
+  PeriodicOptions how;
+  Options options;
 
   periodic::PeriodicSet set;
   periodic::GhostTriangulation ghosts;
@@ -26,7 +43,8 @@ struct delone::PeriodicTriangulation::Impl {
   std::vector<std::int32_t> point_offsets;
   std::size_t num_vertices = 0, num_hidden = 0;
 
-  void describe_points(std::span<const double> given, std::span<const double> given_weights);
+  /// What there is to say of the lattice and the points, as they were given.
+  void describe(std::span<const double> given, std::span<const double> given_weights);
   const periodic::CellClasses& classes() const;
   const periodic::Quotient& quotient() const;
   bool is_simplicial() const;

@@ -87,8 +87,12 @@ Place PlaceFinder::find(const double* q, const LocatedPoint& located) {
   if (parts_.classes.has_own(cell_)) {
     if (parts_.complex.is_infinite(cell_)) return outside;
     if (kind_ == Location::Kind::in_cell)
-      if (const SignedIndex number = parts_.classes.canonical().number_of_slot[index(cell_)]; number >= 0)
-        return {kind_, number, none_, located.barycentric};
+      if (const SignedIndex number = parts_.classes.canonical().number_of_slot[index(cell_)]; number >= 0) {
+        for (std::size_t i = 0; i < located.barycentric.size(); ++i)
+          ordered_[i] = located.barycentric[static_cast<std::size_t>(
+              parts_.classes.slot(static_cast<std::size_t>(number), i))];
+        return {kind_, number, none_, std::span(ordered_).first(located.barycentric.size())};
+      }
     std::fill(shift_.begin(), shift_.end(), 0);
     weights_.assign(located.barycentric.begin(), located.barycentric.end());
   } else if (!find_translate(q, cell_) || parts_.complex.is_infinite(cell_)) {
@@ -175,11 +179,10 @@ void PlaceFinder::choose_first(CellId cell) {
 /// The coordinates of the vertices of `cell` as those of the canonical cell that was chosen.
 void PlaceFinder::order_coordinates(CellId cell) {
   std::fill(ordered_.begin(), ordered_.end(), 0.0);
-  const CellId chosen = parts_.classes.cell(number_);
   Offset between(parts_.rank);
   for (std::size_t i = 0; i < parts_.rank; ++i) between[i] = offset_[i] - shift_[i];
   for (std::size_t i = 0; i < parts_.corners; ++i) {
-    const VertexId w = parts_.complex.vertex(chosen, static_cast<int>(i));
+    const VertexId w = parts_.classes.vertex(number_, i);
     for (std::size_t l = 0; l < parts_.corners; ++l)
       if (weights_[l] > 0 &&
           parts_.classes.is_moved(w, parts_.complex.vertex(cell, static_cast<int>(l)), between))

@@ -67,7 +67,7 @@ struct Place {
   Location::Kind kind = Location::Kind::outside_affine_hull;
   SignedIndex cell = -1;                 ///< the number of a canonical cell; −1 outside
   std::span<const std::int64_t> offset;  ///< that cell translated by Σ offset_i a_i contains the query
-  std::span<const double> barycentric;   ///< by vertices of the canonical cell
+  std::span<const double> barycentric;   ///< by vertices of the class
 };
 
 /// Finds the place of one query after the other; each thread has its own.

@@ -34,7 +34,8 @@ class QuotientMaker {
       const CellId cell = canonical_.cells[number];
       const std::uint32_t smallest = classes_.row_of_smallest(number);
       for (std::size_t i = 0; i < corners_; ++i) {
-        const VertexId v = complex_.vertex(cell, static_cast<int>(i));
+        const int slot = classes_.slot(number, i);
+        const VertexId v = complex_.vertex(cell, slot);
         const Image& image = ghosts_.image_of(v);
         if (image.shift != 0 || !is_wrapped_alike(image.row, smallest)) {
           for (std::size_t l = 0; l < r_; ++l)
@@ -42,18 +43,18 @@ class QuotientMaker {
           set_.to_given_basis(offset, made_.cell_offsets.data() + made_.cells.size() * r_);
         }
         made_.cells.push_back(static_cast<SignedIndex>(image.row));
-        add_neighbor(cell, i, smallest);
+        add_neighbor(cell, slot, smallest);
       }
     }
     return std::move(made_);
   }
 
  private:
-  void add_neighbor(CellId cell, std::size_t i, std::uint32_t smallest) {
+  void add_neighbor(CellId cell, int slot, std::uint32_t smallest) {
     std::int32_t* const to = made_.neighbor_offsets.data() + made_.neighbors.size() * r_;
-    const SignedIndex inner = find_inner_neighbor(cell, i);
+    const SignedIndex inner = find_inner_neighbor(cell, slot);
     Translate neighbor;
-    if (inner < 0) neighbor = classes_.find_neighbor(cell, static_cast<int>(i));
+    if (inner < 0) neighbor = classes_.find_neighbor(cell, slot);
     const SignedIndex number = inner < 0 ? neighbor.number : inner;
     made_.neighbors.push_back(number);
     if (number < 0) return;
@@ -65,11 +66,11 @@ class QuotientMaker {
   }
   /// The neighbor across a facet with a vertex in the box, if it is canonical: then it is next to the cell as
   /// it is. −1 otherwise.
-  SignedIndex find_inner_neighbor(CellId cell, std::size_t i) const {
+  SignedIndex find_inner_neighbor(CellId cell, int slot) const {
     const VerticesOfCell vertices = complex_.vertices(cell);
     for (std::size_t l = 0; l < corners_; ++l)
-      if (l != i && ghosts_.is_own(vertices[l]))
-        return canonical_.number_of_slot[index(complex_.neighbor(cell, static_cast<int>(i)))];
+      if (l != static_cast<std::size_t>(slot) && ghosts_.is_own(vertices[l]))
+        return canonical_.number_of_slot[index(complex_.neighbor(cell, slot))];
     return -1;
   }
   bool is_wrapped_alike(std::uint32_t a, std::uint32_t b) const {

@@ -16,6 +16,11 @@ class StoredPoints : private Triangulation {
   }
 
  public:
+  /// Moves and reweights rows unless a new triangulation costs less: then returns false, and has changed
+  /// nothing. REQUIRES that each row exists and is in a list once, and finite numbers.
+  static bool edit_in_place(Triangulation& t, const construction::RowEdits& edits) {
+    return const_cast<Impl&>(impl_of(t)).edit_in_place(edits);
+  }
   /// The side of the sphere of a finite cell that q lies on, which only the products tell.
   static Side in_sphere(const Triangulation& t, CellId cell, std::span<const double> query) {
     using Predicate = Side (Triangulation::*)(CellId, std::span<const double>, double) const;

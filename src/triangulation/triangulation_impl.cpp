@@ -46,20 +46,22 @@ void Triangulation::Impl::expand() {
   compacted.reset();
 }
 
-/// A transaction, whole or not at all. `items`: what it counts, as "points". `prepare` is given the limits.
-void Triangulation::Impl::transact(const char* items,
-                                   const std::function<void(construction::Construction&)>& work,
+/// A transaction, whole or not at all: not at all, too, if `work` returns false, which is returned. `items`:
+/// what it counts, as "points". `prepare` is given the limits.
+bool Triangulation::Impl::transact(const char* items,
+                                   const std::function<bool(construction::Construction&)>& work,
                                    const std::function<void(internal::BuildLimits&)>& prepare) {
   internal::BuildLimits limits(state->options.memory_limit, state->options.time_limit, items);
   if (prepare) prepare(limits);
   const internal::ProgressMeter meter(state->options.progress);
   expand();
   forget_undo();
-  limits.guard([&] {
+  return limits.guard([&] {
     construction::Construction construction(*state, recording, limits);
-    work(construction);
+    if (!work(construction)) return false;
     if (recording.changes) changes = construction.changes();
     last_edit = construction.commit();
+    return true;
   });
 }
 
@@ -77,7 +79,10 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
   const auto before = static_cast<double>(points().last_vertex()), added = static_cast<double>(n);
   transact(
       "points",
-      [&](construction::Construction& construction) { construction.insert(coordinates, weights, release); },
+      [&](construction::Construction& construction) {
+        construction.insert(coordinates, weights, release);
+        return true;
+      },
       [&](internal::BuildLimits& limits) {
         const double speed = cost_model::speedup(internal::threads_to_use(state->options.threads));
         limits.set_model([d = dimension(), before, added, speed](double fraction) {  // of a set spread evenly
@@ -148,7 +153,14 @@ void Triangulation::Impl::edit(const construction::RowEdits& edits, Index start)
     hints.moves_in_place = false;
   }
   construction::require_valid(*state, edits);
-  transact("changes", [&](construction::Construction& construction) { construction.edit(edits, hints); });
+  transact("changes",
+           [&](construction::Construction& construction) { return construction.edit(edits, hints); });
+}
+
+bool Triangulation::Impl::edit_in_place(const construction::RowEdits& edits) {
+  return transact("changes", [&](construction::Construction& construction) {
+    return construction.edit(edits, {.may_rebuild = false});
+  });
 }
 
 /// The row's vertex if no other row shares it and no record, hidden point, limit or progress is affected;

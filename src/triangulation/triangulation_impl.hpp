@@ -50,6 +50,9 @@ struct delone::Triangulation::Impl {
                     const std::function<void()>& release = {});
   InsertResult insert(std::span<const double> point, double weight, std::optional<CellId> hint);
   void edit(const construction::RowEdits& edits, Index start = invalid_index);
+  /// An edit that does not rebuild everything: returns false, and nothing has changed, if that would cost
+  /// less. REQUIRES lists that are valid.
+  bool edit_in_place(const construction::RowEdits& edits);
   void undo();
   void forget_undo();
   CompactedIds compact_ids();
@@ -74,7 +77,7 @@ struct delone::Triangulation::Impl {
  private:
   void check_finite(std::span<const double> coordinates, std::span<const double> weights) const;
   void require_idle() const;
-  void transact(const char* items, const std::function<void(construction::Construction&)>& work,
+  bool transact(const char* items, const std::function<bool(construction::Construction&)>& work,
                 const std::function<void(internal::BuildLimits&)>& prepare = {});
   void expand();
   InsertResult insert_at_once(const double* point, Index start);

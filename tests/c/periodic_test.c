@@ -82,6 +82,41 @@ static void test_slab_with_weights(void) {
   free(points);
 }
 
+static void test_steps(void) {
+  const double lattice[4] = {1, 0, 0, 1}, wider[4] = {1.0625, 0, 0, 1};
+  double weights[200];
+  double* const points = random_points(200, 2);
+  delone_object *t, *next, *fresh, *power;
+  delone_array array;
+  size_t i;
+  OK(delone_periodic_delaunay(points, 200, 2, lattice, 2, NULL, &t));
+  for (i = 0; i < 400; ++i) points[i] += 1e-5 * (double)(i % 3);
+  OK(delone_periodic_moved(t, points, 200, NULL, NULL, &next));
+  OK(delone_periodic_delaunay(points, 200, 2, lattice, 2, NULL, &fresh));
+  CHECK(strcmp(get_text(next, "hash"), get_text(fresh, "hash")) == 0);
+  CHECK(strcmp(get_text(next, "hash"), get_text(t, "hash")) != 0);
+  delone_free(next);
+  delone_free(fresh);
+  OK(delone_periodic_moved(t, points, 200, NULL, wider, &next));
+  array = get_array(next, "lattice");
+  CHECK(entry(&array, 0) == 1.0625);
+  delone_free(next);
+  for (i = 0; i < 200; ++i) weights[i] = 1e-4 * (double)(i % 5);
+  OK(delone_periodic_regular(points, weights, 200, 2, lattice, 2, NULL, &power));
+  OK(delone_periodic_moved(power, points, 200, NULL, NULL, &next));
+  CHECK(strcmp(get_text(next, "hash"), get_text(power, "hash")) == 0);
+  delone_free(next);
+  weights[7] = 0.25;
+  OK(delone_periodic_moved(power, points, 200, weights, NULL, &next));
+  CHECK(get_integer(next, "num_hidden") > get_integer(power, "num_hidden"));
+  delone_free(next);
+  FAILS(DELONE_BAD_DIMENSION, delone_periodic_moved(t, points, 199, NULL, NULL, &next));
+  FAILS(DELONE_INVALID_ARGUMENT, delone_periodic_moved(t, points, 200, weights, NULL, &next));
+  delone_free(power);
+  delone_free(t);
+  free(points);
+}
+
 static void test_errors(void) {
   const double singular[4] = {1, 1, 2, 2}, good[4] = {1, 0, 0, 1};
   delone_object *t, *open;
@@ -103,5 +138,6 @@ static void test_errors(void) {
 void periodic_test(void) {
   test_one_point();
   test_slab_with_weights();
+  test_steps();
   test_errors();
 }

@@ -280,3 +280,95 @@ def test_faces():
     for wrong in (-1, 4):
         with pytest.raises(ValueError):
             t.faces(wrong)
+
+
+def arrays(t):
+    return [t.points, t.cells, t.cell_offsets, t.neighbors, t.neighbor_offsets, t.vertex_of_point, t.point_offsets]
+
+
+def assert_same(a, b):
+    assert a.hash == b.hash
+    for one, other in zip(arrays(a), arrays(b)):
+        np.testing.assert_array_equal(one, other)
+
+
+def test_steps():
+    random = np.random.default_rng(7)
+    x = points.copy()
+    t = delone.PeriodicDelaunay(x, vectors)
+    first_cells, first = t.cells, t.cells.copy()
+    for step in range(5):
+        x = x + random.normal(scale=1e-4, size=x.shape)
+        x[step] += vectors[step % 3]
+        later = t.moved(x)
+        assert type(later) is delone.PeriodicDelaunay
+        assert_same(later, delone.PeriodicDelaunay(x, vectors))
+        t = later
+    np.testing.assert_array_equal(first_cells, first)
+    wider = vectors * 1.0001
+    assert_same(t.moved(x * 1.0001, lattice=wider), delone.PeriodicDelaunay(x * 1.0001, wider))
+    slab = delone.PeriodicDelaunay(points, [1, 1, 7], axes=[0, 1], unit=0.125)
+    assert_same(slab.moved(points + 0.25), delone.PeriodicDelaunay(points + 0.25, [1, 1, 7], axes=[0, 1], unit=0.125))
+
+
+def test_steps_with_weights():
+    weights = np.linspace(0, 4e-3, 200)
+    t = delone.PeriodicRegular(points, weights, 1.0)
+    later = t.moved(points + 1e-6)
+    np.testing.assert_array_equal(later.weights, weights)
+    weights[7] = 0.1
+    later = later.moved(points, weights)
+    assert type(later) is delone.PeriodicRegular and later.num_hidden > t.num_hidden
+    assert_same(later, delone.PeriodicRegular(points, weights, 1.0))
+
+
+def test_bad_steps_are_refused():
+    t = delone.PeriodicDelaunay(points, 1.0)
+    bad = points.copy()
+    bad[17, 1] = np.nan
+    with pytest.raises(delone.InputError, match="17"):
+        t.moved(bad)
+    with pytest.raises(delone.InputError, match="199 points for 200 rows"):
+        t.moved(points[:-1])
+    with pytest.raises(ValueError, match=r"shape \(n, 3\)"):
+        t.moved(points[:, :2])
+    with pytest.raises(delone.InputError, match="lattice"):
+        t.moved(points, lattice=np.eye(3)[:2])
+    with pytest.raises(delone.InputError, match="weights"):
+        delone.PeriodicRegular(points, np.zeros(200), 1.0).moved(points, np.zeros(3))
+
+
+def test_changed_neighbors():
+    def pairs(t):
+        edges = t.faces(1)
+        found = set()
+        for (a, b), (of_a, of_b) in zip(edges.vertices.tolist(), edges.offsets.tolist()):
+            offset = np.subtract(of_b, of_a).tolist()
+            found.add((a, b, *offset) if a < b else (b, a, *[-k for k in offset]))
+        return found
+
+    def listed(rows, offsets):
+        return set(map(tuple, np.hstack([rows, offsets]).tolist()))
+
+    t = delone.PeriodicDelaunay(points, 1.0)
+    for scale in (1e-4, 0.1):
+        later = t.moved(points + np.random.default_rng(1).normal(scale=scale, size=points.shape))
+        changes = delone.changed_neighbors(t, later)
+        assert listed(changes.began, changes.began_offsets) == pairs(later) - pairs(t)
+        assert listed(changes.ended, changes.ended_offsets) == pairs(t) - pairs(later)
+        assert not changes.began.flags.writeable and changes.began_offsets.shape == (len(changes.began), 3)
+    same = delone.changed_neighbors(t, t)
+    assert len(same.began) == len(same.ended) == 0
+
+
+def test_changed_neighbors_of_open_sets():
+    t = delone.Delaunay(points)
+    before = t.clone()
+    t.move(np.arange(200), points + np.random.default_rng(1).normal(scale=1e-3, size=points.shape))
+    changes = delone.changed_neighbors(before, t)
+    edges = [set(map(tuple, one.faces(1).vertices.tolist())) for one in (before, t)]
+    assert set(map(tuple, changes.began.tolist())) == edges[1] - edges[0]
+    assert set(map(tuple, changes.ended.tolist())) == edges[0] - edges[1]
+    assert changes.began_offsets.shape == (len(changes.began), 0) and len(changes.began) > 0
+    with pytest.raises(TypeError, match="both periodic or none"):
+        delone.changed_neighbors(t, delone.PeriodicDelaunay(points, 1.0))

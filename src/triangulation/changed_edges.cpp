@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "triangulation/changed_edges.hpp"
+
+#include "base/quick_rounds.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace delone::triangulation {
+
+namespace {
+
+bool has_same_cell(const Complex& a, const Complex& b, CellId cell) {
+  if (!a.is_cell(cell) || !b.is_cell(cell)) return false;
+  const VerticesOfCell of_a = a.vertices(cell), of_b = b.vertices(cell);
+  return std::equal(of_a.begin(), of_a.end(), of_b.begin(), of_b.end());
+}
+
+void add_edges(const Complex& complex, CellId cell, std::vector<Edge>& edges) {
+  const VerticesOfCell vertices = complex.vertices(cell);
+  for (auto v = vertices.begin(); v != vertices.end(); ++v)
+    for (auto w = std::next(v); w != vertices.end(); ++w)
+      if (*v != infinite_vertex && *w != infinite_vertex)
+        edges.push_back({std::min(*v, *w), std::max(*v, *w)});
+}
+
+void sort_unique(std::vector<Edge>& edges) {
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+}
+
+std::vector<Edge> difference(const std::vector<Edge>& a, const std::vector<Edge>& b) {
+  std::vector<Edge> rest;
+  std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(rest));
+  return rest;
+}
+
+}  // namespace
+
+ChangedEdges find_changed_edges(const Complex& before, const Complex& after) {
+  std::vector<Edge> of_before, of_after;
+  const Index slots = std::max(before.num_cell_slots(), after.num_cell_slots());
+  internal::QuickRounds round;
+  for (Index slot = 0; slot < slots; ++slot) {
+    round();
+    const CellId cell{slot};
+    if (has_same_cell(before, after, cell)) continue;
+    if (before.is_cell(cell)) add_edges(before, cell, of_before);
+    if (after.is_cell(cell)) add_edges(after, cell, of_after);
+  }
+  sort_unique(of_before);
+  sort_unique(of_after);
+  return {difference(of_before, of_after), difference(of_after, of_before)};
+}
+
+}  // namespace delone::triangulation
