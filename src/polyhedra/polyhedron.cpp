@@ -115,15 +115,23 @@ Pairs adjacent_pairs(const BitRows& sets, std::size_t width, std::size_t cone_di
   return pairs;
 }
 
-/// Adds the digits of a number to a hash.
+void add_word_to_hash(std::uint64_t word, CanonicalHash& hash) {
+  hash.high = random::mix(hash.high + 0x9e3779b97f4a7c15u + word);
+  hash.low = random::mix((hash.low ^ word) + 0xd1342543de82ef95u);
+}
+
+/// Adds the digits of a number to a hash: words of 64 bits, and a last one with their number and the sign.
 void add_to_hash(const Integer& x, CanonicalHash& hash) {
-  std::vector<std::uint64_t> words;
-  boost::multiprecision::export_bits(boost::multiprecision::abs(x), std::back_inserter(words), 64);
-  words.push_back(2 * words.size() + (x < 0 ? 1 : 0));
-  for (const std::uint64_t word : words) {
-    hash.high = random::mix(hash.high + 0x9e3779b97f4a7c15u + word);
-    hash.low = random::mix((hash.low ^ word) + 0xd1342543de82ef95u);
+  std::uint64_t num_words = 1;
+  if (x.backend().size() == 1) {
+    add_word_to_hash(x.backend().limbs()[0], hash);
+  } else {
+    std::vector<std::uint64_t> words;
+    boost::multiprecision::export_bits(boost::multiprecision::abs(x), std::back_inserter(words), 64);
+    for (const std::uint64_t word : words) add_word_to_hash(word, hash);
+    num_words = words.size();
   }
+  add_word_to_hash(2 * num_words + (x < 0 ? 1 : 0), hash);
 }
 
 }  // namespace

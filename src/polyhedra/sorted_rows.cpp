@@ -52,6 +52,12 @@ void add_entries(const Rows& rows, std::vector<KeyedRow>& keys, bool is_reversed
     for (KeyedRow& keyed : keys) {
       internal::cancellation_point();
       const Integer& entry = rows[keyed.row][c];
+      if (bits < 62) {  // the same in numbers of one word
+        const auto small = static_cast<std::int64_t>(entry);
+        const std::int64_t above = (is_reversed ? -small : small) + (std::int64_t{1} << bits);
+        keyed.key = keyed.key << taken | static_cast<std::uint64_t>(above) >> dropped;
+        continue;
+      }
       Integer above = is_reversed ? Integer(-entry) : entry;  // 0 … 2^(bits + 1), without the end
       above += Integer(1) << static_cast<unsigned>(bits);
       keyed.key = keyed.key << taken | static_cast<std::uint64_t>(above >> static_cast<unsigned>(dropped));
