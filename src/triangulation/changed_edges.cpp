@@ -4,7 +4,9 @@
 #include "base/quick_rounds.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
+#include <utility>
 
 namespace delone::triangulation {
 
@@ -24,8 +26,28 @@ void add_edges(const Complex& complex, CellId cell, std::vector<Edge>& edges) {
         edges.push_back({std::min(*v, *w), std::max(*v, *w)});
 }
 
-void sort_unique(std::vector<Edge>& edges) {
-  std::sort(edges.begin(), edges.end());
+/// Many edges go to their first vertices before they are sorted.
+void sort_unique(std::vector<Edge>& edges, Index num_ids) {
+  if (edges.size() < num_ids) {
+    std::sort(edges.begin(), edges.end());
+  } else {
+    std::vector<std::size_t> first(std::size_t{num_ids} + 1, 0);
+    internal::QuickRounds round;
+    for (const Edge& edge : edges) ++first[index(edge[0]) + 1];
+    for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
+    std::vector<std::size_t> next(first.begin(), first.end() - 1);
+    std::vector<Edge> sorted(edges.size());
+    for (const Edge& edge : edges) {
+      round();
+      sorted[next[index(edge[0])]++] = edge;
+    }
+    for (std::size_t v = 0; v + 1 < first.size(); ++v) {
+      round();
+      std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(first[v]),
+                sorted.begin() + static_cast<std::ptrdiff_t>(first[v + 1]));
+    }
+    edges = std::move(sorted);
+  }
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
 }
 
@@ -48,8 +70,9 @@ ChangedEdges find_changed_edges(const Complex& before, const Complex& after) {
     if (before.is_cell(cell)) add_edges(before, cell, of_before);
     if (after.is_cell(cell)) add_edges(after, cell, of_after);
   }
-  sort_unique(of_before);
-  sort_unique(of_after);
+  const Index ids = std::max(before.num_vertex_slots(), after.num_vertex_slots());
+  sort_unique(of_before, ids);
+  sort_unique(of_after, ids);
   return {difference(of_before, of_after), difference(of_after, of_before)};
 }
 
