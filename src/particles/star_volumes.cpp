@@ -14,8 +14,8 @@
 #include "base/compensated_sum.hpp"
 #include "base/compiled_dimension.hpp"
 #include "base/parallel_parts.hpp"
-#include "kernel/buffer.hpp"
 #include "kernel/fractions.hpp"
+#include "particles/pass/exact_sums.hpp"
 #include "solve/integer_edges.hpp"
 #include "triangulation/stored_points.hpp"
 
@@ -34,6 +34,16 @@ constexpr std::size_t part_size = 4096;
 constexpr double unknown = std::numeric_limits<double>::infinity();
 
 double factorial(std::size_t k) { return k < 2 ? 1.0 : static_cast<double>(k) * factorial(k - 1); }
+
+/// The same for any order of the terms, which are at least 0.
+double sum_of(std::vector<double>& terms) {
+  if (const double largest = largest_magnitude(terms); largest >= 0x1p-900 && largest < 0x1p900)
+    return exact_sum(terms);
+  std::sort(terms.begin(), terms.end());
+  internal::CompensatedSum sum;
+  for (const double term : terms) sum.add(term);
+  return sum.value();
+}
 
 struct Volume {
   double value, error;
@@ -190,7 +200,7 @@ class StarVolumes {
     });
   }
 
-  /// The sums by vertex, in increasing order of their terms.
+  /// The sums by vertex.
   void add() {
     internal::work_in_parts(threads_, volumes_.size(), part_size, [&] {
       return [&, terms = std::vector<double>()](std::size_t first, std::size_t last,
@@ -202,10 +212,7 @@ class StarVolumes {
             continue;
           terms.clear();
           for (const CellId c : stars_.cells_at(static_cast<Index>(v))) terms.push_back(cells_[index(c)]);
-          std::sort(terms.begin(), terms.end());
-          internal::CompensatedSum sum;
-          for (const double term : terms) sum.add(term);
-          volumes_[v] = sum.value();
+          volumes_[v] = sum_of(terms);
         }
       };
     });
