@@ -28,7 +28,7 @@ namespace delone {
 /// Points that span only a k-flat have masses per k-volume in it; k = 0: the sum of the masses.
 /// Accuracy: each cell of a star is off by at most 2⁻⁵⁰ of the volume of the star, where necessary by
 /// integers. A density beyond the range of doubles is infinite. No result depends on the number of threads or
-/// the order of insertion, to the last bit. Cost: O(m·2^k·k) for m cells, in space less than the
+/// the order of insertion, to the last bit. Cost: O(m·2^k·k) for m cells, in space about that of the
 /// triangulation. Throws Errc::bad_dimension for another number of masses, not_finite (rows() names them),
 /// unsupported (k > 12; points have weights or the triangulation is a furthest-site one), cancelled,
 /// out_of_memory.

@@ -14,8 +14,8 @@
 #include "base/compensated_sum.hpp"
 #include "base/compiled_dimension.hpp"
 #include "base/parallel_parts.hpp"
-#include "kernel/buffer.hpp"
 #include "kernel/fractions.hpp"
+#include "particles/pass/exact_sums.hpp"
 #include "solve/integer_edges.hpp"
 #include "triangulation/stored_points.hpp"
 
@@ -35,6 +35,16 @@ constexpr double unknown = std::numeric_limits<double>::infinity();
 
 double factorial(std::size_t k) { return k < 2 ? 1.0 : static_cast<double>(k) * factorial(k - 1); }
 
+/// The same for any order of the terms, which are at least 0.
+double sum_of(std::vector<double>& terms) {
+  if (const double largest = largest_magnitude(terms); largest >= 0x1p-900 && largest < 0x1p900)
+    return exact_sum(terms);
+  std::sort(terms.begin(), terms.end());
+  internal::CompensatedSum sum;
+  for (const double term : terms) sum.add(term);
+  return sum.value();
+}
+
 struct Volume {
   double value, error;
 };
@@ -48,7 +58,12 @@ class CellVolume {
       : axes_(axes),
         edges_(axes.size() * axes.size()),
         minors_(std::size_t{1} << axes.size()),
-        corners_(axes.size() + 1) {}
+        corners_(axes.size() + 1),
+        factorial_(factorial(axes.size())) {
+    const auto n = static_cast<double>(axes.size());
+    range_ = std::exp2(900 / n);
+    share_ = 0x1p-53 * (2 * n - 1 + n * (n - 1) / 2 + 2);
+  }
 
   template <class PointOf>
   void set(const VerticesOfCell& vertices, const PointOf& point_of) {
@@ -67,9 +82,7 @@ class CellVolume {
         edges_[i * k() + j] = corners_[i + 1][axis(j)] - corners_[0][axis(j)];
         largest = std::max(largest, std::abs(edges_[i * k() + j]));
       }
-    const auto n = static_cast<double>(k());
-    if (const double range = std::exp2(900 / n); !(largest < range && largest * range >= 1))
-      return {0, unknown};
+    if (!(largest < range_ && largest * range_ >= 1)) return {0, unknown};
     minors_[0] = {1, 1};
     for (unsigned columns = 1; columns < 1U << k(); ++columns) {
       // The last row of the minor, its columns from the last one on.
@@ -85,10 +98,10 @@ class CellVolume {
       minors_[columns] = {sum, absolute};
     }
     const Minor& whole = minors_[(std::size_t{1} << k()) - 1];
-    const double roundings = 2 * n - 1 + n * (n - 1) / 2 + 2, of_all = factorial(k());
-    return {std::abs(whole.value) / of_all,
-            (roundings * 0x1p-53 * whole.permanent + 0x1p-1050 * std::max(1.0, std::pow(largest, n - 1))) /
-                of_all};
+    double power = 1;
+    for (std::size_t i = 1; i < k(); ++i) power *= largest;
+    return {std::abs(whole.value) / factorial_,
+            (share_ * whole.permanent + 0x1p-1050 * std::max(1.0, power)) / factorial_};
   }
 
   /// The double nearest to it.
@@ -100,7 +113,7 @@ class CellVolume {
     for (std::size_t i = 0; i <= k(); ++i) at.push_back(projected.data() + i * k());
     const solve::IntegerEdges exact(at, {}, k());
     return kernel::nearest_double(abs(kernel::exact_determinant(exact.edges, k())),
-                                  kernel::Integer(static_cast<std::int64_t>(factorial(k()))),
+                                  kernel::Integer(static_cast<std::int64_t>(factorial_)),
                                   exact.grid * static_cast<int>(k()));
   }
 
@@ -127,6 +140,9 @@ class CellVolume {
   std::vector<double> edges_;
   std::vector<Minor> minors_;
   std::vector<const double*> corners_;
+  double factorial_;  // of k
+  double range_;      // differences in (1/range, range) do no harm
+  double share_;      // of the permanent, by which a determinant may be off
 };
 
 class StarVolumes {
@@ -144,18 +160,21 @@ class StarVolumes {
 
   template <int K>
   std::vector<double> run() {
-    for_cells<K>([&](std::size_t c, CellVolume<K>& cell) {
+    const auto point_of = [&](VertexId v) { return points_.point(index(v)); };
+    for_cells<K>([&](std::size_t c, const VerticesOfCell& vertices, CellVolume<K>& cell) {
+      cell.set(vertices, point_of);
       const Volume found = cell.find();
       cells_[c] = found.value;
       errors_[c] = found.error;
     });
     add();
     std::atomic<bool> is_changed = false;
-    for_cells<K>([&](std::size_t c, CellVolume<K>& cell) {
+    for_cells<K>([&](std::size_t c, const VerticesOfCell& vertices, CellVolume<K>& cell) {
       double least = unknown;
-      for (const VertexId v : complex_.vertices(CellId{static_cast<Index>(c)}))
+      for (const VertexId v : vertices)
         if (stars_.is_wanted(index(v))) least = std::min(least, volumes_[index(v)]);
       if (errors_[c] <= 0x1p-50 * least) return;
+      cell.set(vertices, point_of);
       cells_[c] = cell.find_exactly();
       is_changed = true;
     });
@@ -165,9 +184,7 @@ class StarVolumes {
   }
 
  private:
-  const double* point(VertexId v) const { return points_.point(index(v)); }
-
-  /// Calls visit(slot, volume) for all finite cells of stars.
+  /// Calls visit(slot, vertices, volume) for all finite cells of stars; volumes are those of a thread.
   template <int K, class Visit>
   void for_cells(const Visit& visit) {
     internal::work_in_parts(threads_, cells_.size(), part_size, [&] {
@@ -177,14 +194,13 @@ class StarVolumes {
           stop();
           const CellId id{static_cast<Index>(c)};
           if (!complex_.is_cell(id) || complex_.is_infinite(id) || !stars_.has(id)) continue;
-          cell.set(complex_.vertices(id), [&](VertexId v) { return point(v); });
-          visit(c, cell);
+          visit(c, complex_.vertices(id), cell);
         }
       };
     });
   }
 
-  /// The sums by vertex, in increasing order of their terms.
+  /// The sums by vertex.
   void add() {
     internal::work_in_parts(threads_, volumes_.size(), part_size, [&] {
       return [&, terms = std::vector<double>()](std::size_t first, std::size_t last,
@@ -196,10 +212,7 @@ class StarVolumes {
             continue;
           terms.clear();
           for (const CellId c : stars_.cells_at(static_cast<Index>(v))) terms.push_back(cells_[index(c)]);
-          std::sort(terms.begin(), terms.end());
-          internal::CompensatedSum sum;
-          for (const double term : terms) sum.add(term);
-          volumes_[v] = sum.value();
+          volumes_[v] = sum_of(terms);
         }
       };
     });
@@ -208,7 +221,8 @@ class StarVolumes {
   template <int K>
   void incline() {
     CellVolume<K> any(axes_);
-    any.set(complex_.vertices(*complex_.finite_cells().begin()), [&](VertexId v) { return point(v); });
+    any.set(complex_.vertices(*complex_.finite_cells().begin()),
+            [&](VertexId v) { return points_.point(index(v)); });
     const double slope = any.slope(dimension_);
     for (double& volume : volumes_) volume *= slope;
   }

@@ -20,6 +20,10 @@ namespace {
 /// digits along the short axis would be lost among those along the long one.
 constexpr int most_moderate_ratio = 20;  // as a power of two
 
+/// Corners are rounded as seen from the site. Where the extent of a region along an axis is smaller than this
+/// share of the largest coordinate there, it would lose more than ten bits.
+constexpr double far_extent = 0x1p-10;
+
 /// 2^e for each x, so that x·2^−e is in [1/2, 1).
 int exponent_of(double x) { return std::ilogb(x) + 1; }
 
@@ -89,7 +93,43 @@ solve::SimplePolytope::Measures RegionClipper::measures_by_axis(const std::vecto
   return result;
 }
 
+bool RegionClipper::is_far() const {
+  for (std::size_t j = 0; j < d_; ++j) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (Corner c = 0; c < alive_.size(); ++c)
+      if (alive_[c] != 0) {
+        low = std::min(low, positions_[c * d_ + j]);
+        high = std::max(high, positions_[c * d_ + j]);
+      }
+    if (low <= high && high - low < far_extent * std::max(std::abs(low), std::abs(high))) return true;
+  }
+  return false;
+}
+
+/// With the differences of all corners from the first one, each correctly rounded from integers.
+solve::SimplePolytope::Measures RegionClipper::measures_from_a_corner() {
+  const std::vector<Corner> all = corners();
+  const kernel::Fractions first = solve_exactly(all.front());
+  const std::vector<double> from_site(position(all.front()), position(all.front()) + d_),
+      positions = positions_;
+  for (const Corner c : all) {
+    const kernel::Fractions at = solve_exactly(c);
+    for (std::size_t j = 0; j < d_; ++j)
+      position(c)[j] =
+          kernel::nearest_double(at.numerators[j] * first.denominator - first.numerators[j] * at.denominator,
+                                 at.denominator * first.denominator, grid_);
+  }
+  solve::SimplePolytope::Measures result = measures_here();
+  positions_ = positions;
+  for (std::size_t j = 0; j < result.centroid.size(); ++j) result.centroid[j] += from_site[j];
+  return result;
+}
+
 solve::SimplePolytope::Measures RegionClipper::measures() {
+  return is_far() ? measures_from_a_corner() : measures_here();
+}
+
+solve::SimplePolytope::Measures RegionClipper::measures_here() {
   if (const std::vector<int> exponents = exponents_of_extents(); !exponents.empty())
     return measures_by_axis(exponents);
   polytope_.start(d_, d_);

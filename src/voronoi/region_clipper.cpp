@@ -320,6 +320,7 @@ void RegionClipper::link_new_corners(std::size_t plane) {
 }
 
 double RegionClipper::volume() {
+  if (is_far()) return measures_from_a_corner().volume;
   if (const std::vector<int> exponents = exponents_of_extents(); !exponents.empty())
     return measures_by_axis(exponents).volume;
   if (d_ >= 4 && is_moderate_)

@@ -82,6 +82,10 @@ class RegionClipper {
   bool spans_plane(std::size_t plane, const std::vector<Corner>& all);
   bool has_moderate_sides() const;
   std::vector<int> exponents_of_extents() const;
+  /// Whether the region is so thin, seen from the site, that rounded corners have too few digits.
+  bool is_far() const;
+  solve::SimplePolytope::Measures measures_here();
+  solve::SimplePolytope::Measures measures_from_a_corner();
   solve::SimplePolytope::Measures measures_by_axis(const std::vector<int>& exponents);
   void make_box();
   void make_halfspaces();
