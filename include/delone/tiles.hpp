@@ -127,8 +127,10 @@ struct TileData {
 /// (docs/tiles.md); three passes over the input; scratch files of twice the size of the points.
 ///
 /// Throws as read_points(), Errc::not_finite with rows(); invalid_argument for a folder that holds anything
-/// else or tiles of other points; bad_format for a damaged index.json, and if a part does not become what it
-/// was; out_of_memory if no number of tiles fits; unsupported (vtu for d > 3); cannot_write; cancelled.
+/// else or tiles of other points; with a lattice as PeriodicDelaunay; bad_format for a damaged index.json,
+/// and if a part does not become what it was; out_of_memory if no number of tiles fits; unsupported (vtu for
+/// d > 3 or with a lattice, and a lattice of which more than 2^20 translations have to be looked at);
+/// cannot_write; cancelled.
 DELONE_EXPORT TilesIndex make_tiles(const std::string& input, const std::string& folder,
                                     const TilesOptions& options = {});
 /// The same for points in memory: rows of d coordinates, and a weight if `weighted`.
@@ -153,14 +155,16 @@ DELONE_EXPORT std::optional<UnfinishedTiles> find_unfinished_tiles(const std::st
 /// are global ids, points are rows of the input. Proves that the cells are the Delaunay or regular
 /// triangulation of their vertices, that every row is in one part, and that index.json is right. Coordinates
 /// of duplicates and hidden points are not in the folder: of these rows nothing else is proved. A part that
-/// cannot be read is a violation of level 1. Throws as read_tiles_index(), Errc::invalid_argument as check()
-/// and for furthest_site and cells without orientation, cannot_write, out_of_memory.
+/// cannot be read is a violation of level 1. The parts of a periodic set are put together in memory, and
+/// examined at the levels of PeriodicTriangulation; too_many beyond 2^31 points or cells. Throws as
+/// read_tiles_index(), Errc::invalid_argument as check() and for furthest_site and cells without orientation,
+/// cannot_write, out_of_memory.
 DELONE_EXPORT CheckReport check_tiles(const std::string& folder, const CheckOptions& options = {},
                                       const Execution& how = {});
 /// The same, and at level 6 against the input: rows of d coordinates, and a weight if points have weights.
 /// Vertices are these points, and duplicates are equal to their vertices: a triangulation of all points,
-/// except that nothing is proved about hidden ones. Also throws Errc::bad_dimension, and invalid_argument for
-/// another number of points.
+/// except that nothing is proved about hidden ones. Also throws Errc::unsupported for a periodic set,
+/// bad_dimension, and invalid_argument for another number of points.
 DELONE_EXPORT CheckReport check_tiles(const std::string& folder, PointsView input,
                                       const CheckOptions& options = {}, const Execution& how = {});
 

@@ -307,6 +307,9 @@ TileData read_tile_of(const std::string& folder, const TilesIndex& index, std::s
   expect("cell_offsets", data.rank, index.lattice.rank());
   require_size(data.cell_offsets, data.cells.size() * static_cast<std::size_t>(data.rank),
                name + ": cell_offsets");
+  if (data.rank > 0 && part.num_vertices > static_cast<std::int64_t>(data.num_points()))
+    io::fail(Errc::bad_format, "{}: points: {} of them, but index.json says that the tile has {} vertices",
+             name, data.num_points(), part.num_vertices);
   read_seams(folder, i, part.first_cell, index.num_cells, data, content_of_seams(part));
   return data;
 }

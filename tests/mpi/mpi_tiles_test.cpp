@@ -215,6 +215,18 @@ TEST_F(MpiTiles, ReadsFiles) {
   }
 }
 
+TEST_F(MpiTiles, PeriodicSetsAreRefused) {
+  TilesOptions options;
+  options.lattice = Lattice::box(std::vector<double>{1, 1});
+  const std::vector<double> points{0.25, 0.5};
+  try {
+    mpi::make_tiles(PointsView(points, 2), path("periodic"), MPI_COMM_WORLD, options);
+    ADD_FAILURE() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::unsupported) << error.what();
+  }
+}
+
 TEST_F(MpiTiles, AllRanksThrowWhatOneFinds) {
   Rows rows{"uniform", 2, false, make_point_set("uniform", 2, 40)};
   if (rank_of() == num_ranks() - 1) rows.values[7] = NAN;

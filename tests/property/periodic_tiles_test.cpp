@@ -146,6 +146,19 @@ TEST_F(PeriodicTiles, UniformPoints) {
   }
 }
 
+TEST_F(PeriodicTiles, FilesDoNotDependOnThreads) {
+  const std::vector<double> points = make_point_set("uniform", 3, test::scaled_size(3000, 500), 2);
+  std::vector<std::int64_t> checksums[2];
+  for (const unsigned threads : {1u, 3u}) {
+    const std::string out = files_.file("threads" + std::to_string(threads));
+    for (const TilePart& part :
+         make_tiles(PointsView(points, 3), out, options(3, cube(3), false, threads)).parts)
+      for (const std::int64_t checksum : {part.crc32, part.seam_crc32})
+        checksums[threads / 2].push_back(checksum);
+  }
+  EXPECT_EQ(checksums[0], checksums[1]);
+}
+
 TEST_F(PeriodicTiles, Clusters) {
   std::vector<double> points = make_point_set("plummer", 3, test::scaled_size(2000, 200), 3);
   for (const std::size_t tiles : {1, 8}) expect_as_in_one_piece(points, {}, cube(3, 8), tiles);
