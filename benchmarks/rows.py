@@ -4,6 +4,7 @@
 
   PYTHONPATH=build/release/python rows.py             a table: processor time of delone and of the rival, and the ratio rival/delone
   PYTHONPATH=build/release/python rows.py --only wall     rows whose name contains a text, also repeated
+  PYTHONPATH=build/release/python rows.py --only recorded     what it costs to record changes, or for undo
   PYTHONPATH=build/release/python rows.py --record    also benchmarks/history/DATE-COMMIT-rows.json
 
 Figures are least values over the rounds, in milliseconds. A ratio above 1 means that delone is faster. The rival of rows "of ..." is
@@ -199,6 +200,33 @@ for dimension, side, m in ((2, 316, 2000), (3, 46, 1000), (4, 12, 100), (5, 6, 1
         lattice = np.stack(np.meshgrid(*[np.arange(float(side))] * dimension, indexing="ij"), -1).reshape(-1, dimension)
         return moves(lattice, 1, m), moves(random().random(lattice.shape), 1 / side, m)
     row(f"{m} moves in a lattice {side}^{dimension}, of uniform points")(lattice_row)
+
+
+def recorded_jobs(dimension, n, recording):
+    """What is recorded of large changes: name -> job. `recording`: "changes", "undo", or nothing."""
+    def begin(triangulation):
+        if recording:
+            getattr(triangulation, f"record_{recording}")()
+        return triangulation
+
+    points, others = random().random((n, dimension)), random(2).random((n, dimension))
+    empty, built = (delone.Delaunay(part, threads=1) for part in (points[:0], points))
+    moved, edited = begin(built.clone()), begin(built.clone())
+    ends, rows = itertools.cycle((others, points)), iter(random(3).permutation(n))
+    moved.insert_range(points[:1])  # the first edit of each prepares others
+    edited.edit(remove=[next(rows)])
+    return {"first batch": lambda: begin(empty.clone()).insert_range(points),
+            "second batch, and a copy": lambda: begin(built.clone()).insert_range(others),
+            "rebuild": lambda: moved.move(np.arange(n), next(ends)),
+            "removal of 1 %": lambda: edited.remove(list(itertools.islice(rows, n // 100)))}
+
+
+for dimension, n in ((2, 200000), (3, 100000), (4, 20000)):
+    for recording in ("changes", "undo"):
+        for name in ("first batch", "second batch, and a copy", "rebuild", "removal of 1 %"):
+            def recorded_row(name=name, recording=recording, dimension=dimension, n=n):
+                return tuple(recorded_jobs(dimension, n, each)[name] for each in (recording, None))
+            row(f"{recording} recorded {dimension}D {n:.0e}, {name}, of off record")(recorded_row)
 
 
 for name, job_of in {"cells and boundary": lambda t: lambda: len(t.alpha_complex(0.02).boundary),

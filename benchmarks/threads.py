@@ -4,12 +4,15 @@
 
   threads.py build/release/delone                          1 and 2, 4, … threads, up to the number of cores
   threads.py build/release/delone --threads 2 3 --record   also benchmarks/history/DATE-COMMIT-threads.json
+  threads.py build/release/delone --quick                  two threads, 2D to 5D, beside two processes, in about two minutes
   threads.py --plot out.png RECORD.json                    a picture of a record (needs Matplotlib)
 
 All numbers of threads take turns on an input, round by round. Speed-ups are medians over the rounds of the ratio of the wall time
-of ordering and building; hashes must be equal. The machine has to be idle otherwise.
+of ordering and building; hashes must be equal. The machine has to be idle otherwise. Two processes that build the same input at
+once, each in one thread, share nothing but caches and memory: what they reach is a bound for two threads on the machine.
 """
 import argparse
+import concurrent.futures
 import json
 import os
 import pathlib
@@ -22,6 +25,15 @@ from construction import arguments_of, construct
 
 INPUTS = ("uniform 2D 1e6", "uniform 3D 1e6", "uniform 4D 1e5", "uniform 5D 1e4", "uniform 6D 4e3", "uniform 7D 1e3", "lattice 100^3",
           "lattice 18^4", "lattice 8^5", "hypersurface 3D 1e5", "hypersurface 4D 1e5", "hypersurface 5D 1e4", "hypersurface 6D 2e3")
+QUICK = [f"uniform {text}" for text in ("2D 1e6", "3D 1e6", "4D 1e5", "5D 1e4")]
+LEAST_OF_TWO_THREADS = 1.6  # on the inputs of --quick
+
+
+def construct_twice(command, arguments):
+    """Seconds of two processes that run at once, the mean of both."""
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        both = [pool.submit(construct, command, arguments) for _ in range(2)]
+        return statistics.mean(run.result()["seconds"] for run in both)
 
 
 def evaluate(runs):
@@ -66,6 +78,7 @@ def main():
     parser.add_argument("command", help="the command, or a record to be drawn")
     parser.add_argument("--threads", type=int, nargs="+", help="numbers of threads to compare with one")
     parser.add_argument("--rounds", type=int, default=5)
+    parser.add_argument("--quick", action="store_true", help="two threads, uniform points in 2D to 5D, beside two processes")
     parser.add_argument("--only", action="append", metavar="TEXT", help="inputs whose name contains TEXT")
     parser.add_argument("--record", action="store_true", help="write the figures to benchmarks/history/, after each input")
     parser.add_argument("--plot", metavar="FILE", help="draw a record")
@@ -73,21 +86,28 @@ def main():
     if options.plot:
         return plot(options.plot, options.command)
     cores = len(os.sched_getaffinity(0))
-    counts = options.threads or [count for count in (2 ** i for i in range(1, 10)) if count <= cores] or [2]
-    names = [name for name in INPUTS if not options.only or any(text in name for text in options.only)]
+    counts = [2] if options.quick else options.threads or [count for count in (2 ** i for i in range(1, 10)) if count <= cores] or [2]
+    inputs = QUICK if options.quick else INPUTS
+    names = [name for name in inputs if not options.only or any(text in name for text in options.only)]
     runs = {name: {count: [] for count in (1, *counts)} for name in names}
     with tempfile.TemporaryDirectory() as folder:
         for name in names:
             arguments = arguments_of(options.command, name, folder)
+            of_processes = []
             for _ in range(options.rounds):
                 for count, of_count in runs[name].items():
                     of_count.append(construct(options.command, arguments, count))
                     if of_count[-1]["hash"] != runs[name][1][-1]["hash"]:
                         sys.exit(f"{count} threads have another result than one on {name}")
+                if options.quick:
+                    of_processes.append(2 * runs[name][1][-1]["seconds"] / construct_twice(options.command, arguments))
             figures = evaluate(runs)[name]
             print(f"{name:<20}{figures['seconds']:>9.3f} s" + "".join(
                 f"   {count} threads: {figures[f'speedup_{count}']:.2f}× (processor time {figures[f'cpu_{count}']:.2f}×, "
                 f"memory {figures[f'memory_{count}']:.2f}×)" for count in counts), flush=True)
+            if options.quick:
+                verdict = "met" if figures["speedup_2"] >= LEAST_OF_TWO_THREADS else "MISSED"
+                print(f"{'':<20}two processes: {statistics.median(of_processes):.2f}×   {verdict}: at least {LEAST_OF_TWO_THREADS}")
             if options.record:
                 record.write("threads", options.command, evaluate(runs))
 

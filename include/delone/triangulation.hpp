@@ -96,7 +96,8 @@ class DELONE_EXPORT Triangulation {
   /// order of cells, and of the vertices in each, is then the same for every number of threads, until the
   /// next insertion. Has no effect if a single thread built the triangulation, whatever Options::threads was.
   /// Uses up to Options::threads threads. Cost O(cells·k²), and for a moment 16 bytes per cell. Nothing can
-  /// be undone afterwards. Throws Errc::out_of_memory, cancelled, and then leaves the cells as they are.
+  /// be undone afterwards unless the last change made all cells. Throws Errc::out_of_memory, cancelled, and
+  /// then leaves the cells as they are.
   void sort_cells();
 
   int dimension() const;           ///< d
@@ -148,24 +149,35 @@ class DELONE_EXPORT Triangulation {
   void remove(std::size_t row) { remove(std::span(&row, 1)); }
   void remove(std::span<const std::size_t> rows);
 
-  /// From now on changes() tells what each insertion, edit and undo() did. A single insertion or edit then
-  /// takes up to twice as long, a batch of insertions up to one and a half times. One thread inserts a batch;
-  /// if it has more points than the triangulation, several threads rebuild all cells instead.
+  /// From now on changes() tells what each insertion, edit and undo() did. Until the next change, a record is
+  /// kept in memory as by record_undo(), but of old cells that were all replaced only their ids. A single
+  /// insertion or edit then takes up to twice as long. One thread inserts a batch; if it has more points than
+  /// the triangulation, several threads rebuild all cells instead.
   void record_changes(bool wanted = true);
-  /// What the last edit, insertion or undo() did; a call without any row or point does not count. Empty after
-  /// compact_ids(), compact() and sort_cells(). Throws Errc::invalid_argument unless record_changes() is on.
+  /// What the last edit, insertion or undo() did; a call without any row or point does not count. The lists
+  /// are made when they are first asked for, or before the next change: O(cells that changed), and after a
+  /// batch O(cells). Empty after compact_ids() and compact(), and after sort_cells() unless all cells were
+  /// new: then they have their new ids. Throws Errc::invalid_argument unless record_changes() is on,
+  /// out_of_memory.
   const Changes& changes() const;
+  /// Those of changes().removed_cells that were infinite, in ascending order. Throws as changes().
+  const std::vector<CellId>& removed_infinite_cells() const;
 
   /// From now on undo() can take back the last edit or insertion; a call without any row or point does not
-  /// count. Costs time as record_changes() does. Until the next change, a record is kept in memory: 8(k+1) +
-  /// 4 bytes for each cell that was destroyed, about 16 bytes and the point for each row and vertex that
-  /// changed, and all old cells if the affine dimension changed or everything was rebuilt. If an edit fails
-  /// after it has begun, nothing can be undone.
+  /// count. A single insertion or edit takes up to twice as long. Until the next change, a record is kept in
+  /// memory: 8(k+1) + 4 bytes for each cell that was destroyed, about 16 bytes and the point for each row and
+  /// vertex that changed, and all old cells if the affine dimension changed or everything was rebuilt. If an
+  /// edit fails after it has begun, nothing can be undone.
   void record_undo(bool wanted = true);
   bool can_undo() const;
   /// Takes back the last edit or insertion: all members answer as before it, ids included. An undo cannot be
   /// undone. Cost: that of the change. Throws Errc::invalid_argument unless can_undo().
   void undo();
+
+  /// While something is recorded, a call that makes all cells also sorts them, as sort_cells() does, which
+  /// takes up to a third of the time of a batch. From now on it does not: sort_cells() may be called when ids
+  /// of cells are needed, and if that is before the next change, it keeps what is recorded.
+  void sort_cells_later(bool wanted = true);
 
   /// Renumbers rows and vertices without gaps, in their present order, and returns the new numbers. Nothing
   /// can be undone afterwards. O(cells·k + rows). Throws Errc::out_of_memory, and then changes nothing.

@@ -167,8 +167,9 @@ Triangulation
 inline constexpr const char* record_changes = R"(
 Let `changes` tell what each insertion, edit and undo does.
 
-A single insertion or edit then takes up to twice as long. `insert_range` takes up to one and a half times as long, and one
-thread inserts the points. If they are more than those of the triangulation, several threads rebuild all cells instead.
+A single insertion or edit then takes up to twice as long. One thread inserts the points of `insert_range`; if they are more
+than those of the triangulation, several threads rebuild all cells instead. Until the next change a record of the last one is
+kept in memory.
 
 Parameters
 ----------
@@ -178,7 +179,8 @@ wanted : bool, default True
 inline constexpr const char* changes = R"(
 The changes by the last insertion, edit or undo, a `Changes`, or None.
 
-None unless `record_changes` was called. A call without any row or point does not count.)";
+None unless `record_changes` was called. A call without any row or point does not count. The arrays are made when they are
+first asked for.)";
 
 inline constexpr const char* vertex_ids = R"(
 The id of the vertex at each row, (n,), from 1; -1 if it is hidden or was removed.

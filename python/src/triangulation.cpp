@@ -2,9 +2,9 @@
 // Insertion, edits and derived data; see triangulation.hpp.
 #include "triangulation.hpp"
 
-#include <algorithm>
-#include <new>
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace delone::python {
 namespace {
@@ -24,10 +24,29 @@ Triangulation& common(Engine& engine) {
   return std::visit([](Triangulation& product) -> Triangulation& { return product; }, engine);
 }
 
+/// Those of cells that have numbers: infinite ones have none.
+Changes changes_with_numbers(const Triangulation& engine) {
+  Changes changes = engine.changes();
+  const Complex complex = engine.complex();
+  std::erase_if(changes.created_cells, [&](CellId c) { return complex.is_infinite(c); });
+  const std::vector<CellId>& removed_infinite_cells = engine.removed_infinite_cells();
+  auto infinite = removed_infinite_cells.begin();
+  std::size_t num_finite = 0;
+  for (const CellId c : changes.removed_cells)
+    if (infinite != removed_infinite_cells.end() && *infinite == c)
+      ++infinite;
+    else
+      changes.removed_cells[num_finite++] = c;
+  changes.removed_cells.resize(num_finite);
+  return changes;
+}
+
 }  // namespace
 
 HeldTriangulation::HeldTriangulation(Form form, int dimension, const BuildArguments& arguments)
-    : form_(form), dimension_(dimension), arguments_(arguments), engine_(make_engine()) {}
+    : form_(form), dimension_(dimension), arguments_(arguments), engine_(make_engine()) {
+  common(*engine_).sort_cells_later();  // before the first question that depends on it, or the next change
+}
 
 std::unique_ptr<Engine> HeldTriangulation::make_engine() const {
   const Options options = arguments_.to_options();
@@ -72,7 +91,6 @@ void HeldTriangulation::undo() {
   const Use use(this, "changed");
   const std::unique_lock lock(mutex_);
   batches_.reserve(1);
-  prepare_record();
   common(*engine_).undo();
   forget_batches();
   complete_change();
@@ -85,17 +103,16 @@ CompactedIds HeldTriangulation::compact_ids() {
   CompactedIds ids = common(*engine_).compact_ids();
   forget_batches();
   forget_derived();
+  forget_changes();
   return ids;
 }
 
 void HeldTriangulation::record_changes(bool wanted) {
   const Use use(this, "changed");
   const std::unique_lock lock(mutex_);
-  auto none = wanted ? std::make_shared<const Changes>() : nullptr;
   common(*engine_).record_changes(wanted);
   records_changes_ = wanted;
-  changes_ = std::move(none);
-  is_infinite_.reset();
+  forget_changes();
 }
 
 void HeldTriangulation::record_undo(bool wanted) {
@@ -106,9 +123,14 @@ void HeldTriangulation::record_undo(bool wanted) {
 }
 
 std::shared_ptr<const Changes> HeldTriangulation::changes() const {
-  const Use use(this, "used");
-  const std::shared_lock lock(mutex_);
-  return changes_;
+  const auto is_recorded = [this](const Triangulation&) { return records_changes_; };
+  if (!with_unsorted(is_recorded)) return nullptr;
+  return with_engine([this](const Triangulation& engine) -> std::shared_ptr<const Changes> {
+    if (!records_changes_) return nullptr;  // any more
+    const std::lock_guard derived(derived_mutex_);
+    if (!changes_) changes_ = std::make_shared<const Changes>(changes_with_numbers(engine));
+    return changes_;
+  });
 }
 
 void HeldTriangulation::become_copy_of(const HeldTriangulation& other) {
@@ -118,50 +140,26 @@ void HeldTriangulation::become_copy_of(const HeldTriangulation& other) {
     batches_ = other.batches_;
     records_changes_ = other.records_changes_;
     records_undo_ = other.records_undo_;
-    changes_ = other.changes_;
-    is_infinite_ = other.is_infinite_;
   });
   forget_derived();
+  forget_changes();
 }
 
 /// Before an insertion or an edit. Cells whose ids are told must not be sorted later.
 void HeldTriangulation::prepare_change() {
   batches_.reserve(batches_.size() + 1);
   if (!is_sorted_ && (records_changes_ || records_undo_)) sort_cells_alone();
-  prepare_record();
-}
-
-void HeldTriangulation::prepare_record() {
-  if (!records_changes_ || is_infinite_) return;
-  const Complex complex = common(*engine_).complex();
-  std::vector<bool> is_infinite(complex.num_cell_slots());
-  for (const CellId c : complex.infinite_cells()) is_infinite[index(c)] = true;
-  is_infinite_ = std::move(is_infinite);
 }
 
 void HeldTriangulation::complete_change() {
-  if (records_changes_) keep_changes();
   is_sorted_ = false;
   forget_derived();
+  forget_changes();
 }
 
-/// Without memory for them, the changes are not known.
-void HeldTriangulation::keep_changes() noexcept {
-  try {
-    const Complex complex = common(*engine_).complex();
-    auto changes = std::make_shared<Changes>(common(*engine_).changes());
-    std::vector<bool>& is_infinite = *is_infinite_;
-    is_infinite.resize(std::max<std::size_t>(is_infinite.size(), complex.num_cell_slots()));
-    const auto of_infinite_cell = [&](CellId c) { return is_infinite[index(c)]; };
-    std::erase_if(changes->removed_cells, of_infinite_cell);
-    for (const CellId c : common(*engine_).changes().removed_cells) is_infinite[index(c)] = false;
-    for (const CellId c : changes->created_cells) is_infinite[index(c)] = complex.is_infinite(c);
-    std::erase_if(changes->created_cells, of_infinite_cell);
-    changes_ = std::move(changes);
-  } catch (const std::bad_alloc&) {
-    changes_.reset();
-    is_infinite_.reset();
-  }
+void HeldTriangulation::forget_changes() {
+  const std::lock_guard derived(derived_mutex_);
+  changes_.reset();
 }
 
 /// The same cells would not come of the same insertions again. REQUIRES memory for one batch.

@@ -19,7 +19,6 @@
 #include <atomic>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <shared_mutex>
 #include <span>
 #include <stdexcept>
@@ -119,11 +118,10 @@ class HeldTriangulation {
   void sort_cells() const;
   void sort_cells_alone() const;
   void prepare_change();
-  void prepare_record();
   void complete_change();
-  void keep_changes() noexcept;
   void forget_batches();
   void forget_derived();
+  void forget_changes();
   const PointLocator& locator_of(const Triangulation& engine) const;
   std::shared_ptr<const std::vector<double>> row_data(bool want_weights) const;
 
@@ -136,15 +134,13 @@ class HeldTriangulation {
   const std::unique_ptr<Engine> engine_;
   std::vector<std::size_t> batches_;  // the sizes of insertions that make these rows; one, after edits
   bool records_changes_ = false, records_undo_ = false;
-  std::shared_ptr<const Changes> changes_;
-  /// By id of a cell, whether it is infinite. Known, while changes are recorded, from the first one on.
-  std::optional<std::vector<bool>> is_infinite_;
   /// Cells have numbers that do not depend on threads. They get them before they are first asked for.
   mutable bool is_sorted_ = true;
   std::atomic<std::uint64_t> version_{0};
 
   mutable std::mutex derived_mutex_;  // of all members below, under mutex_
   mutable std::shared_ptr<const Cells> cells_;
+  mutable std::shared_ptr<const Changes> changes_;  // once they were asked for
   mutable std::shared_ptr<const std::vector<double>> points_, weights_;
   mutable std::unique_ptr<PointLocator> locator_;
 };

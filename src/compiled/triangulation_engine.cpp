@@ -62,6 +62,10 @@ void find_changed_cells(const TriangulationEngine& engine, std::vector<CellId>& 
   visit(engine, [&](const auto& instance) { instance.sphere().changed_cells(gone, made); });
 }
 
+void find_removed_infinite_cells(const TriangulationEngine& engine, std::vector<CellId>& gone) {
+  visit(engine, [&](const auto& instance) { instance.sphere().changed_infinite_cells(gone); });
+}
+
 bool shares_batches_of(const TriangulationEngine& engine, std::size_t num_vertices) {
   return visit(engine, [&](const auto& instance) {
     return instance.points().form != kernel::RowForm::furthest_point &&

@@ -8,31 +8,52 @@
 #include "base/quick_rounds.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <mutex>
 #include <new>
 #include <numeric>
 
 namespace delone::construction {
 namespace {
 
-/// Appends rows in an order to `to`, which has room for them.
-void append_in_order(std::span<const double> rows, std::size_t width, std::span<const Index> order,
-                     std::vector<double>& to) {
+/// Of those that several threads share.
+constexpr std::size_t places_in_part = 16384;
+
+/// Copies those rows whose places in an order are first … last − 1.
+void copy_in_order(std::span<const double> rows, std::size_t width, std::span<const Index> order,
+                   std::size_t first, std::size_t last, double* to) {
   internal::with_compiled_dimension(width, [&](auto fixed_width) {
     const std::size_t w = fixed_width > 0 ? std::size_t{fixed_width} : width;
     // Rows are met in no order of their own: they are prefetched long before their turn.
-    constexpr std::size_t ahead = 96, most_in_block = 64;
-    std::vector<double> block(std::min(most_in_block, order.size()) *
-                              w);  // in the cache: vectors cannot grow without being written
-    for (std::size_t first = 0; first < order.size(); first += most_in_block) {
-      internal::cancellation_point();
-      const std::size_t count = std::min(most_in_block, order.size() - first);
-      for (std::size_t i = 0; i < count; ++i) {
-        internal::prefetch(rows.data() + order[std::min(first + i + ahead, order.size() - 1)] * w);
-        std::copy_n(rows.data() + order[first + i] * w, w, block.data() + i * w);
-      }
-      to.insert(to.end(), block.begin(), block.begin() + static_cast<std::ptrdiff_t>(count * w));
+    constexpr std::size_t ahead = 96;
+    for (std::size_t place = first; place < last; ++place) {
+      internal::prefetch(rows.data() + order[std::min(place + ahead, order.size() - 1)] * w);
+      std::copy_n(rows.data() + order[place] * w, w, to + (place - first) * w);
     }
   });
+}
+
+/// Appends rows in an order to `to`, which has room for them.
+void append_in_order(std::span<const double> rows, std::size_t width, std::span<const Index> order,
+                     unsigned threads, std::vector<double>& to) {
+  if (threads > 1) {
+    const std::size_t before = to.size();
+    to.resize(before + order.size() * width);
+    internal::parallel_for(threads, order.size(), places_in_part, [&](std::size_t first, std::size_t last) {
+      internal::cancellation_point();
+      copy_in_order(rows, width, order, first, last, to.data() + before + first * width);
+    });
+    return;
+  }
+  constexpr std::size_t most_in_block = 64;
+  std::vector<double> block(std::min(most_in_block, order.size()) *
+                            width);  // in the cache: vectors cannot grow without being written
+  for (std::size_t first = 0; first < order.size(); first += most_in_block) {
+    internal::cancellation_point();
+    const std::size_t count = std::min(most_in_block, order.size() - first);
+    copy_in_order(rows, width, order, first, first + count, block.data());
+    to.insert(to.end(), block.begin(), block.begin() + static_cast<std::ptrdiff_t>(count * width));
+  }
 }
 
 }  // namespace
@@ -53,8 +74,10 @@ void BulkInsertion::take(std::span<const double> rows) {
   coordinates.reserve(coordinates.size() + (order_.size() + 1) * state_.row_size());
   state_.cell_of_vertex.reserve(first_ + order_.size());
   find_spanning(rows);
-  append_in_order(rows, state_.row_size(), order_, coordinates);
-  find_box();
+  const unsigned threads =
+      engine::threads_for_batch(state_.options.threads, order_.size(), state_.dimension());
+  append_in_order(rows, state_.row_size(), order_, threads, coordinates);
+  find_box(threads);
 }
 
 /// Puts the rows that raise the affine dimension before all others.
@@ -69,20 +92,40 @@ void BulkInsertion::find_spanning(std::span<const double> rows) {
 }
 
 /// The grid and the box of all points.
-void BulkInsertion::find_box() {
+void BulkInsertion::find_box(unsigned threads) {
   const std::size_t width = state_.row_size();
   low_.assign(point_at(0), point_at(0) + width);
   high_ = low_;
-  internal::QuickRounds quick;
-  for (std::size_t place = 0; place < order_.size(); ++place) {
-    quick();
+  const auto include = [&](std::size_t place) {
     const double* const point = point_at(place);
     state_.sites.points().grid.include(point);
     for (std::size_t j = 0; j < width; ++j) {
       low_[j] = std::min(low_[j], point[j]);
       high_[j] = std::max(high_[j], point[j]);
     }
+  };
+  if (threads == 1) {
+    internal::QuickRounds quick;
+    for (std::size_t place = 0; place < order_.size(); ++place) {
+      quick();
+      include(place);
+    }
+    return;
   }
+  // A point that changes nothing of the grid of those before it in its part is in their box, too.
+  std::mutex mutex;
+  internal::parallel_for(threads, order_.size(), places_in_part, [&](std::size_t first, std::size_t last) {
+    internal::cancellation_point();
+    kernel::Grid grid(state_.dimension(), state_.weighted());
+    std::vector<std::size_t> decisive;
+    for (std::size_t place = first; place < last; ++place) {
+      const std::uint64_t before = grid.revision();
+      grid.include(point_at(place));
+      if (grid.revision() != before) decisive.push_back(place);
+    }
+    const std::lock_guard lock(mutex);
+    std::for_each(decisive.begin(), decisive.end(), include);
+  });
 }
 
 void BulkInsertion::run() {

@@ -49,7 +49,7 @@ class BulkInsertion {
 
  private:
   void find_spanning(std::span<const double> rows);
-  void find_box();
+  void find_box(unsigned threads);
   Index next_spanning();
   void start();
   void jump();

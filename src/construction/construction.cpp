@@ -28,15 +28,24 @@ std::vector<double> weighted_rows(PointsView points, std::span<const double> wei
 }
 
 /// The cells at the beginning of a record, if the engine is another one now.
-std::vector<CellId> cells_before(const Record& record) {
-  if (!record.engine)
-    return record.affine_hull.dimension() == 0 ? std::vector{CellId{0}, CellId{1}} : std::vector<CellId>{};
-  std::vector<CellId> gone, made, cells;
-  if (record.engine_has_log) find_changed_cells(*record.engine, gone, made);
+CellLists cells_before(const Record& record) {
+  if (record.cells_before) return *record.cells_before;
+  if (!record.engine)  // finite and infinite, see State::single_links
+    return record.affine_hull.dimension() == 0 ? CellLists{{CellId{0}, CellId{1}}, {CellId{1}}} : CellLists{};
+  CellLists cells;
+  std::vector<CellId> made;
+  if (record.engine_has_log) {
+    find_changed_cells(*record.engine, cells.all, made);
+    find_removed_infinite_cells(*record.engine, cells.infinite);
+  }
   std::sort(made.begin(), made.end());
-  for (const CellId c : complex_of(*record.engine, 0, {}).all_cells())
-    if (!std::binary_search(made.begin(), made.end(), c)) cells.push_back(c);
-  cells.insert(cells.end(), gone.begin(), gone.end());
+  const Complex now = complex_of(*record.engine, 0, {});
+  cells.all.reserve(cells.all.size() + now.num_cell_slots());
+  for (const CellId c : now.all_cells()) {
+    if (std::binary_search(made.begin(), made.end(), c)) continue;
+    cells.all.push_back(c);
+    if (now.is_infinite(c)) cells.infinite.push_back(c);
+  }
   return cells;
 }
 
@@ -58,10 +67,14 @@ Construction::~Construction() {
 }
 
 std::unique_ptr<Record> Construction::commit() {
+  if (recording_.changes && !recording_.undo && record_->has_other_engine) {
+    record_->cells_before = cells_before(*record_);
+    record_->engine.reset();
+  }
   state_.record = nullptr;
   state_.sites.end();
   std::unique_ptr<Record> record = std::move(record_);
-  if (recording_.undo) return record;
+  if (recording_.is_on()) return record;
   if (record->engine_has_log && !record->has_other_engine) state_.engine->keep_batch();
   return nullptr;
 }
@@ -99,10 +112,10 @@ void Construction::insert(std::span<const double> coordinates, std::span<const d
   state_.statistics.build_seconds += stopwatch.seconds();
 }
 
-/// Whether a batch is so small that it should not cost what looks at all cells. One by one, points take
-/// longer, so off record that pays for fewer of them.
+/// Whether a batch is so small that it should not cost what looks at all cells, though one by one points take
+/// longer.
 bool Construction::is_small(std::size_t num_points) const {
-  return state_.engine && num_points < state_.num_vertices / (recording_.is_on() ? 64 : 1024);
+  return state_.engine && num_points < state_.num_vertices / 1024;
 }
 
 /// Whether a batch on record is for several threads. They cannot insert into cells that must keep their
@@ -152,9 +165,12 @@ bool Construction::edit(const RowEdits& edits, const EditHints& hints) {
   return Editing(*this, edits, hints).run();
 }
 
-/// A later sort_cells() would drop the record, so cells of a new engine are sorted now.
+/// Cells of a new engine get ids that do not tell of timing, unless the caller sees to that: when the next
+/// transaction has begun, to sort cells drops the record.
 void Construction::sort_cells_on_record() {
-  if (!recording_.is_on() || !state_.ids_tell_of_timing || !record_->has_other_engine) return;
+  if (!recording_.is_on() || recording_.sorts_later || !state_.ids_tell_of_timing ||
+      !record_->has_other_engine)
+    return;
   state_.sort_cells();
   state_.ids_tell_of_timing = false;
 }
@@ -166,14 +182,20 @@ void Construction::note_all_visibility(std::span<const CellId> before) {
       record_->were_visible.emplace_back(v, before[v] != invalid_cell);
 }
 
-Changes Construction::changes_since(const State& state, const Record& record) {
-  Changes made;
+AllChanges Construction::changes_since(const State& state, const Record& record) {
+  AllChanges all;
+  Changes& made = all.lists;
   if (state.engine && !record.has_other_engine) {
-    if (record.engine_has_log) find_changed_cells(*state.engine, made.removed_cells, made.created_cells);
-  } else if (state.engine || record.engine ||
+    if (record.engine_has_log) {
+      find_changed_cells(*state.engine, made.removed_cells, made.created_cells);
+      find_removed_infinite_cells(*state.engine, all.removed_infinite_cells);
+    }
+  } else if (state.engine || record.engine || record.cells_before ||
              state.affine_hull.dimension() != record.affine_hull.dimension() ||
              state.single_links[0] != record.only_vertex || !record.sites.moved.empty()) {
-    made.removed_cells = cells_before(record);
+    CellLists before = cells_before(record);
+    made.removed_cells = std::move(before.all);
+    all.removed_infinite_cells = std::move(before.infinite);
     for (const CellId c : state.complex().all_cells()) made.created_cells.push_back(c);
   }
   const auto is_gone = [&](Index v) { return !state.sites.has_rows(v); };
@@ -199,9 +221,10 @@ Changes Construction::changes_since(const State& state, const Record& record) {
   };
   sort(made.removed_cells);
   sort(made.created_cells);
+  sort(all.removed_infinite_cells);
   sort(made.removed_vertices);
   sort(made.moved_vertices);
-  return made;
+  return all;
 }
 
 void Construction::roll_back(State& state, Record& record) noexcept {

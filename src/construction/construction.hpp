@@ -18,6 +18,7 @@ namespace delone::construction {
 /// What is wanted of what a transaction notes.
 struct Recording {
   bool changes = false, undo = false;
+  bool sorts_later = false;  ///< new cells whose ids may tell of timing stay as they are for now
   bool is_on() const { return changes || undo; }
 };
 
@@ -27,6 +28,12 @@ struct EditHints {
   bool rebuilds = false;        ///< to rebuild everything costs less
   bool moves_in_place = true;   ///< vertices that move may stay where they are in the cells
   bool may_rebuild = true;      ///< if not, an edit that would rebuild everything is given up instead
+};
+
+/// Changes, and what users ask of them apart.
+struct AllChanges {
+  Changes lists;
+  std::vector<CellId> removed_infinite_cells;  ///< increasing
 };
 
 class Construction {
@@ -47,17 +54,15 @@ class Construction {
   /// then the transaction must not be committed. REQUIRES lists that are valid (require_valid()).
   bool edit(const RowEdits& edits, const EditHints& hints);
 
-  /// What the transaction has done so far.
-  Changes changes() const { return changes_since(state_, *record_); }
-  /// Keeps what was done. Returns what it takes to undo it, if that is wanted: then nothing else may change
-  /// before roll_back(), or forget().
+  /// Keeps what was done. Returns its record, if that is wanted: then nothing else may change before forget()
+  /// or, if undoing is wanted, roll_back().
   std::unique_ptr<Record> commit();
 
   /// What has changed since the beginning of a record.
-  static Changes changes_since(const State& state, const Record& record);
+  static AllChanges changes_since(const State& state, const Record& record);
   static void roll_back(State& state, Record& record) noexcept;
-  /// The last committed transaction cannot be undone any more: the engine drops its log, the caller the
-  /// record.
+  /// The record of the last committed transaction is not wanted any more: the engine drops its log, the
+  /// caller the record.
   static void forget(State& state) {
     if (state.engine) state.engine->keep_batch();
   }

@@ -11,10 +11,16 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
 namespace delone::construction {
+
+/// Cells, and those of them that are infinite, in no order.
+struct CellLists {
+  std::vector<CellId> all, infinite;
+};
 
 struct Record {
   sites::Journal sites;
@@ -26,6 +32,8 @@ struct Record {
   bool engine_has_log = false;                       ///< the engine of the beginning has a log of its cells
   bool has_other_engine = false;                     ///< the engine is not the one of the beginning
   std::unique_ptr<compiled::TriangulationEngine> engine;  ///< that one, if there was one
+  /// Its cells instead of it, if only the changes are wanted.
+  std::optional<CellLists> cells_before;
 };
 
 }  // namespace delone::construction

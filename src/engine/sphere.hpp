@@ -91,6 +91,8 @@ class Sphere {
   void changed_cells(std::vector<CellId>& gone, std::vector<CellId>& come) const {
     log_.list_changes(cells_, gone, come);
   }
+  /// Since the beginning of the batch: the infinite cells that have gone.
+  void changed_infinite_cells(std::vector<CellId>& gone) const { log_.list_infinite_changes(cells_, gone); }
 
   /// Vertex v becomes new_ids[v]; of vertices that are in no cell the entry does not matter. Throws
   /// std::bad_alloc, and then changes nothing.

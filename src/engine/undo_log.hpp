@@ -105,6 +105,16 @@ class UndoLog {
       list_many_changes(cells, gone, made);
   }
 
+  /// Appends those of the first that had the infinite vertex, in no order.
+  void list_infinite_changes(const CellStore<K>& cells, std::vector<CellId>& gone) const {
+    for (std::size_t n = 0; n < num_notes_; ++n) {
+      const Index *const note = notes_.data() + n * size_of_note(cells), *const vertices = note + 1;
+      const Index* const end = vertices + cells.dimension() + 1;
+      if (std::find(vertices, end, index(infinite_vertex)) != end && !is_there(cells, note))
+        gone.push_back(CellId{note[0]});
+    }
+  }
+
   /// Makes the cells those that were there in the beginning, in their slots. In the end `put_back` is called
   /// with each that was noted.
   template <Geometry G, class PutBack>

@@ -78,23 +78,22 @@ void Triangulation::apply(const RowEdits& edits) {
 
 void Triangulation::remove(std::span<const std::size_t> rows) { apply({.remove = rows}); }
 
-void Triangulation::record_changes(bool wanted) {
-  impl_->recording.changes = wanted;
-  impl_->changes = {};
-}
+void Triangulation::record_changes(bool wanted) { impl_->record_changes(wanted); }
 
 const Changes& Triangulation::changes() const {
-  if (!impl_->recording.changes)
-    throw Error(Errc::invalid_argument, "changes are not recorded: record_changes() was not called");
-  return impl_->changes;
+  return internal::guarded("the lists of changes",
+                           [&]() -> const Changes& { return impl_->recorded_changes().lists; });
+}
+const std::vector<CellId>& Triangulation::removed_infinite_cells() const {
+  return internal::guarded("the lists of changes", [&]() -> const std::vector<CellId>& {
+    return impl_->recorded_changes().removed_infinite_cells;
+  });
 }
 
-void Triangulation::record_undo(bool wanted) {
-  impl_->recording.undo = wanted;
-  if (!wanted) impl_->forget_undo();
-}
+void Triangulation::record_undo(bool wanted) { impl_->record_undo(wanted); }
+void Triangulation::sort_cells_later(bool wanted) { impl_->recording.sorts_later = wanted; }
 
-bool Triangulation::can_undo() const { return impl_->last_edit != nullptr; }
+bool Triangulation::can_undo() const { return impl_->wanted_of_last.undo; }
 void Triangulation::undo() {
   internal::guarded("what has changed", [&] { impl_->undo(); });
 }

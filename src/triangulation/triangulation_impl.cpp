@@ -20,7 +20,7 @@ std::unique_ptr<Triangulation::Impl> Triangulation::Impl::clone() const {
   if (compacted)
     copy->compacted = std::make_unique<compiled::CompactTriangulation>(copy->points(), *compacted);
   copy->recording = recording;
-  copy->changes = changes;
+  copy->changes_ = changes();
   return copy;
 }
 
@@ -46,23 +46,28 @@ void Triangulation::Impl::expand() {
   compacted.reset();
 }
 
-/// A transaction, whole or not at all: not at all, too, if `work` returns false, which is returned. `items`:
-/// what it counts, as "points". `prepare` is given the limits.
+/// A transaction, whole or not at all: not at all, too, if `work` returns false, which is returned. If it is
+/// not done, the changes are still those of the last one. `items`: what it counts, as "points". `prepare` is
+/// given the limits.
 bool Triangulation::Impl::transact(const char* items,
                                    const std::function<bool(construction::Construction&)>& work,
                                    const std::function<void(internal::BuildLimits&)>& prepare) {
   internal::BuildLimits limits(state->options.memory_limit, state->options.time_limit, items);
   if (prepare) prepare(limits);
   const internal::ProgressMeter meter(state->options.progress);
+  changes();
   expand();
-  forget_undo();
-  return limits.guard([&] {
+  forget();
+  const bool is_done = limits.guard([&] {
     construction::Construction construction(*state, recording, limits);
     if (!work(construction)) return false;
-    if (recording.changes) changes = construction.changes();
-    last_edit = construction.commit();
+    last = construction.commit();
     return true;
   });
+  if (!is_done) return false;
+  wanted_of_last = recording;
+  note_unknown_changes();
+  return true;
 }
 
 void Triangulation::Impl::insert_range(std::span<const double> coordinates, std::span<const double> weights,
@@ -198,26 +203,74 @@ bool Triangulation::Impl::move_at_once(std::size_t row, std::span<const double> 
   return change.is_done();
 }
 
-void Triangulation::Impl::forget_undo() {
-  if (!last_edit) return;
-  construction::Construction::forget(*state);
-  last_edit.reset();
+/// Drops the record of the last transaction. REQUIRES that its changes are known.
+void Triangulation::Impl::forget() {
+  if (last) construction::Construction::forget(*state);
+  last.reset();
+  wanted_of_last = {};
+}
+
+void Triangulation::Impl::forget_changes() {
+  changes_ = {};
+  are_changes_known_ = true;
+}
+
+/// The last transaction has changes, or its cells have got other ids.
+void Triangulation::Impl::note_unknown_changes() {
+  changes_ = {};
+  are_changes_known_ = !wanted_of_last.changes;
+}
+
+const construction::AllChanges& Triangulation::Impl::recorded_changes() const {
+  if (!recording.changes)
+    throw Error(Errc::invalid_argument, "changes are not recorded: record_changes() was not called");
+  return changes();
+}
+
+/// Makes the lists unless they are known. The first of several threads that ask does.
+const construction::AllChanges& Triangulation::Impl::changes() const {
+  const std::lock_guard lock(changes_mutex_);
+  if (!are_changes_known_) {
+    changes_ = construction::Construction::changes_since(*state, *last);
+    are_changes_known_ = true;
+  }
+  return changes_;
+}
+
+void Triangulation::Impl::record_changes(bool wanted) {
+  recording.changes = wanted;
+  wanted_of_last.changes = false;
+  forget_changes();
+  if (!wanted_of_last.undo) forget();
+}
+
+void Triangulation::Impl::record_undo(bool wanted) {
+  recording.undo = wanted;
+  if (wanted) return;
+  wanted_of_last.undo = false;
+  if (are_changes_known_) forget();
 }
 
 void Triangulation::Impl::undo() {
   require_idle();
-  if (!last_edit)
+  if (!wanted_of_last.undo)
     throw Error(Errc::invalid_argument,
                 "there is nothing to undo; only edits after record_undo() can be undone");
-  Changes made;
+  construction::AllChanges all;
   if (recording.changes) {
-    made = construction::Construction::changes_since(*state, *last_edit);
+    all = construction::Construction::changes_since(*state, *last);
+    Changes& made = all.lists;
+    all.removed_infinite_cells.clear();
+    for (const CellId c : made.created_cells)
+      if (complex().is_infinite(c)) all.removed_infinite_cells.push_back(c);
     std::swap(made.removed_cells, made.created_cells);
     std::swap(made.added_vertices, made.removed_vertices);
     std::swap(made.hidden_vertices, made.reappeared_vertices);
   }
-  construction::Construction::roll_back(*state, *std::exchange(last_edit, nullptr));
-  changes = std::move(made);
+  construction::Construction::roll_back(*state, *std::exchange(last, nullptr));
+  wanted_of_last = {};
+  forget_changes();
+  changes_ = std::move(all);
 }
 
 CompactedIds Triangulation::Impl::compact_ids() {
@@ -229,18 +282,18 @@ CompactedIds Triangulation::Impl::compact_ids() {
     if (state->engine) state->engine->renumber_vertices(new_ids);
     if (affine_dimension() == 0) state->only_vertex() = new_ids[state->only_vertex()];
   });
-  forget_undo();
+  forget_changes();
+  forget();
   state->hidden_points.reset();
   state->landmarks.reset();
-  changes = {};
   state->find_cells_of_vertices();
   return ids;
 }
 
 void Triangulation::Impl::compact() {
   require_idle();
-  forget_undo();
-  changes = {};
+  forget_changes();
+  forget();
   state->hidden_points.reset();
   state->landmarks.reset();
   if (state->engine) {
@@ -253,16 +306,21 @@ void Triangulation::Impl::compact() {
   state->cell_of_vertex.shrink_to_fit();
 }
 
-/// Of what compact() has left, too: insertions are possible then.
+/// Of what compact() has left, too: insertions are possible then. Where the last transaction made all cells,
+/// its record does not tell of their ids and is kept.
 void Triangulation::Impl::sort_cells() {
   require_idle();
   if (!state->ids_tell_of_timing) return;
-  forget_undo();
-  changes = {};
+  const bool keeps_record = last && last->has_other_engine;
+  if (!keeps_record) {
+    forget_changes();
+    forget();
+  }
   state->hidden_points.reset();
   expand();
   if (!state->engine) return;
   state->sort_cells();
+  if (keeps_record) note_unknown_changes();
   state->find_cells_of_vertices();
   state->ids_tell_of_timing = false;
 }

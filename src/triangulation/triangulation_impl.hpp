@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <utility>
@@ -24,8 +25,8 @@ struct delone::Triangulation::Impl {
   std::unique_ptr<construction::State> state;
   std::unique_ptr<compiled::CompactTriangulation> compacted;  // after compact(), until the next change
   construction::Recording recording;
-  Changes changes;
-  std::unique_ptr<construction::Record> last_edit;  // if it can be undone
+  std::unique_ptr<construction::Record> last;  // of the last transaction, if anything is wanted of it …
+  construction::Recording wanted_of_last;      // … namely this
 
   const sites::SiteSet& sites() const { return state->sites; }
   const sites::VertexPoints& points() const { return state->sites.points(); }
@@ -54,7 +55,10 @@ struct delone::Triangulation::Impl {
   /// less. REQUIRES lists that are valid.
   bool edit_in_place(const construction::RowEdits& edits);
   void undo();
-  void forget_undo();
+  void record_changes(bool wanted);
+  void record_undo(bool wanted);
+  /// What the last transaction has done. Throws unless changes are recorded.
+  const construction::AllChanges& recorded_changes() const;
   CompactedIds compact_ids();
   void compact();
   void sort_cells();
@@ -75,6 +79,10 @@ struct delone::Triangulation::Impl {
   Sign in_sphere(CellId cell, std::span<const double> query, double weight) const;
 
  private:
+  const construction::AllChanges& changes() const;
+  void forget();
+  void forget_changes();
+  void note_unknown_changes();
   void check_finite(std::span<const double> coordinates, std::span<const double> weights) const;
   void require_idle() const;
   bool transact(const char* items, const std::function<bool(construction::Construction&)>& work,
@@ -84,4 +92,8 @@ struct delone::Triangulation::Impl {
   Index lone_vertex_of(std::size_t row);
   engine::Outcome remove_at_once(std::size_t row);
   bool move_at_once(std::size_t row, std::span<const double> to);
+
+  mutable std::mutex changes_mutex_;
+  mutable bool are_changes_known_ = true;  // if not, `last` tells them
+  mutable construction::AllChanges changes_;
 };

@@ -2,11 +2,14 @@
 // Random rounds and random permutations: permutations, determined by the seed, rounds sorted.
 #include "order/insertion_order.hpp"
 
+#include "base/random.hpp"
 #include "order_support.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace delone::order {
@@ -20,6 +23,16 @@ TEST(ShuffledOrder, IsAPermutationDeterminedByTheSeed) {
 
 TEST(ShuffledOrder, TheSameBitsOnEveryPlatform) {
   EXPECT_EQ(shuffled_order(8, 42), (std::vector<Index>{7, 0, 1, 4, 3, 5, 2, 6}));
+}
+
+TEST(ShuffledOrder, IsThatOfFisherAndYates) {
+  for (const std::size_t n : {5u, 31u, 32u, 33u, 34u, 65u, 5000u}) {
+    std::vector<Index> expected(n);
+    std::iota(expected.begin(), expected.end(), Index{0});
+    random::Generator generator(7);
+    for (std::size_t i = n; i > 1; --i) std::swap(expected[i - 1], expected[generator.below(i)]);
+    EXPECT_EQ(shuffled_order(n, 7), expected);
+  }
 }
 
 TEST(ShuffledOrder, EveryPermutationIsAboutEquallyLikely) {

@@ -270,5 +270,139 @@ TEST(TriangulationImpl, HiddenPointsTellWhatHidesThem) {
   EXPECT_EQ(t.num_hidden(), 2u);
 }
 
+bool are_equal(const Changes& a, const Changes& b) {
+  return a.removed_cells == b.removed_cells && a.created_cells == b.created_cells &&
+         a.added_vertices == b.added_vertices && a.removed_vertices == b.removed_vertices &&
+         a.hidden_vertices == b.hidden_vertices && a.reappeared_vertices == b.reappeared_vertices &&
+         a.moved_vertices == b.moved_vertices;
+}
+
+/// Those of some cells, in ascending order, that are infinite.
+std::vector<CellId> infinite_cells_of(const Triangulation& t, const std::vector<CellId>& among) {
+  std::vector<CellId> cells;
+  for (const CellId c : t.infinite_cells())
+    if (std::binary_search(among.begin(), among.end(), c)) cells.push_back(c);
+  std::sort(cells.begin(), cells.end());
+  return cells;
+}
+
+/// A small edit, a batch, a step of all points, a rebuild, and an edit that lowers the dimension.
+const std::vector<std::function<void(Delaunay<>&)>>& kinds_of_changes() {
+  static const std::vector<std::function<void(Delaunay<>&)>> kinds{
+      [](Delaunay<>& t) { t.remove(3); },
+      [](Delaunay<>& t) { t.insert_range(make_point_set("uniform", 2, 300, 2)); },
+      [](Delaunay<>& t) {
+        std::vector<std::size_t> rows;
+        Numbers to;
+        for (std::size_t row = 0; row < t.num_rows(); ++row) {
+          rows.push_back(row);
+          const auto point = t.point(t.vertex_at(row));
+          to.insert(to.end(), {point[0] + 0.004 * static_cast<double>(row % 3), point[1]});
+        }
+        t.edit({.move = rows, .to = to});
+      },
+      [](Delaunay<>& t) {
+        std::vector<std::size_t> rows;
+        for (std::size_t row = 0; row + 20 < t.num_rows(); ++row) rows.push_back(row);
+        t.remove(rows);
+      },
+      [](Delaunay<>& t) {
+        std::vector<std::size_t> rows;
+        for (std::size_t row = 2; row < t.num_rows(); ++row) rows.push_back(row);
+        t.remove(rows);
+      }};
+  return kinds;
+}
+
+TEST(TriangulationImpl, ChangesAreThoseOfTheLastCallWheneverTheyAreAskedFor) {
+  bool goes_on = true;
+  Options options;
+  options.progress = [&](double) { return goes_on; };
+  const Delaunay<> start(make_point_set("uniform", 2, 400, 1), 2, options);
+  for (std::size_t kind = 0; kind < kinds_of_changes().size(); ++kind)
+    for (const bool records_undo : {false, true}) {
+      SCOPED_TRACE(testing::Message() << "change " << kind << ", undo " << records_undo);
+      Delaunay<> early = start.clone(), late = start.clone(), copied = start.clone();
+      for (Delaunay<>* t : {&early, &late, &copied}) {
+        t->record_changes();
+        t->record_undo(records_undo);
+        kinds_of_changes()[kind](*t);
+      }
+      const Changes expected = early.changes();
+      EXPECT_FALSE(expected.removed_cells.empty());
+      const std::vector<CellId> infinite = infinite_cells_of(start, expected.removed_cells);
+      EXPECT_EQ(early.removed_infinite_cells(), infinite);
+      EXPECT_EQ(late.can_undo(), records_undo);
+      EXPECT_TRUE(are_equal(copied.clone().changes(), expected)) << "of a copy";
+      late.record_undo(!records_undo);
+      EXPECT_EQ(late.can_undo(), false) << "what was not recorded cannot be undone";
+      goes_on = false;  // a call that fails has no changes of its own
+      EXPECT_EQ(code_of([&] { kinds_of_changes()[1](late); }), Errc::cancelled);
+      goes_on = true;
+      EXPECT_TRUE(are_equal(late.changes(), expected));
+      EXPECT_EQ(late.removed_infinite_cells(), infinite);
+      EXPECT_EQ(late.hash(), early.hash());
+      if (!records_undo) continue;
+      const std::vector<CellId> new_infinite = infinite_cells_of(early, expected.created_cells);
+      early.undo();
+      EXPECT_EQ(early.changes().removed_cells, expected.created_cells);
+      EXPECT_EQ(early.removed_infinite_cells(), new_infinite);
+      EXPECT_EQ(early.hash(), start.hash());
+    }
+}
+
+TEST(TriangulationImpl, ChangesBeforeTheyWereWantedAreNone) {
+  Delaunay<> t(make_point_set("uniform", 2, 50, 1), 2);
+  t.record_undo();
+  t.remove(7);
+  t.record_changes();
+  EXPECT_TRUE(are_equal(t.changes(), {}));
+  ASSERT_TRUE(t.can_undo());
+  t.undo();
+  EXPECT_EQ(t.num_points(), 50u);
+  t.remove(8);
+  t.record_changes(false);
+  ASSERT_TRUE(t.can_undo());
+  t.record_undo(false);
+  t.insert({0.5, 0.5});  // nothing of it is recorded any more
+  EXPECT_TRUE(check(t.to_data()).ok);
+  EXPECT_EQ(t.num_points(), 50u);
+}
+
+TEST(TriangulationImpl, SortingKeepsTheRecordOfACallThatMadeAllCells) {
+  Options options;
+  options.threads = 2;
+  const Numbers points = make_point_set("uniform", 3, 4000, 1), more = make_point_set("uniform", 3, 1000, 2);
+  Delaunay<> sorted(3, options);
+  sorted.insert_range(points);
+  sorted.sort_cells();
+  for (const bool asks_before : {false, true}) {
+    Delaunay<> t(3, options);
+    t.sort_cells_later();
+    t.record_changes();
+    t.record_undo();
+    t.insert_range(points);
+    if (asks_before) {
+      EXPECT_EQ(t.changes().created_cells.size(), std::size_t{t.num_all_cells()});
+    }
+    t.sort_cells();
+    EXPECT_EQ(t.to_data().cells, sorted.to_data().cells);
+    ASSERT_EQ(t.changes().created_cells.size(), std::size_t{t.num_all_cells()});
+    for (const CellId c : t.changes().created_cells) EXPECT_TRUE(t.complex().is_cell(c));
+    ASSERT_TRUE(t.can_undo());
+    t.undo();
+    EXPECT_EQ(t.num_rows(), 0u);
+  }
+  Delaunay<> t(3, options);
+  t.insert_range(points);
+  t.record_changes();
+  t.record_undo();
+  t.insert_range(more);
+  EXPECT_FALSE(t.changes().removed_cells.empty());
+  t.sort_cells();
+  EXPECT_TRUE(are_equal(t.changes(), {}));
+  EXPECT_FALSE(t.can_undo());
+}
+
 }  // namespace
 }  // namespace delone::triangulation
