@@ -5,6 +5,7 @@
 #include "compiled/engine_of.hpp"
 #include "compiled/points_to_wrap.hpp"
 #include "compiled/triangulation_engine.hpp"
+#include "engine/hole/polygon_filler.hpp"
 #include "engine/hole/relocation.hpp"
 #include "engine/wrap/is_worth_wrapping.hpp"
 #include "engine/wrap/wrap.hpp"
@@ -21,6 +22,7 @@
 #include <mutex>
 #include <new>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -137,6 +139,11 @@ class TriangulationEngineOf final : public EngineOf<TriangulationEngine, geometr
   }
   engine::Change remove(Index v, Index cell) override {
     need_functionals();
+    if constexpr (K == 2)
+      if (const std::optional<engine::Outcome> outcome = edits().polygons.remove(build_, v, cell)) {
+        if (*outcome != engine::Outcome::done) return {*outcome};
+        return {*outcome, invalid_index, gone(), edits().polygons.created()};
+      }
     const engine::Outcome outcome = engine::remove(build_, v, cell, edits().filler);
     if (outcome != engine::Outcome::done) return {outcome};
     return {outcome, invalid_index, gone(), edits().filler.created()};
@@ -245,6 +252,8 @@ class TriangulationEngineOf final : public EngineOf<TriangulationEngine, geometr
         : filler(build.cells(), build.geometry()), relocation(build, filler) {}
     engine::HoleFiller<K, Geometry> filler;
     engine::Relocation<K, Geometry> relocation;
+    struct None {};
+    [[no_unique_address]] std::conditional_t<K == 2, engine::PolygonFiller<Geometry>, None> polygons;
   };
   Edits& edits() {
     if (!edits_) edits_ = std::make_unique<Edits>(build_);

@@ -152,6 +152,13 @@ class DelaunayGeometry : public PointPredicates<K> {
     return kernel::orientation<K>(flat(), gather(vertices).data(), grid_);
   }
 
+  using PointPredicates<K>::first_of_plane;
+  /// The same on the grid of the vertices.
+  std::size_t first_of_plane(Index from, Index to, std::span<const Index> vertices, StageCounts& counts) const
+      requires(K == 2) {
+    return first_of_plane(from, to, vertices, grid_, counts);
+  }
+
   /// Computes what is cached for a cell by elimination. `apex` is the slot of a finite vertex. Returns the
   /// orientation of the vertices, or zero if that is not certain, the cell is infinite, or the apex is not in
   /// slot 0.

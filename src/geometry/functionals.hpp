@@ -172,6 +172,9 @@ class Functionals {
         std::bit_cast<double>(certificate::pack(threshold, error, determinant, infinite));
   }
 
+  /// solve<false>() in the plane.
+  Sign solve_triangle(Index cell, const double* rows) requires(Lifted&& K == 2);
+
   /// An upper bound on the determinant of the edge vectors of a finite cell, from the radius of its sphere.
   /// REQUIRES spheres_.
   double largest_determinant(Index cell) const;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "geometry/hole_search/hole_search.hpp"
+#include "geometry/plane_pencil.hpp"
 #include "kernel/buffer.hpp"
 #include "kernel/stages.hpp"
 #include "kernel/tie_kernel.hpp"
@@ -128,6 +129,43 @@ class PointPredicates {
   Index first_in_pencil(Index* simplex, int slot, Sign orientation, std::span<const Index> vertices,
                         const kernel::Grid& grid, StageCounts& counts) const {
     return *first_in_pencil(simplex, slot, orientation, vertices, grid, true, counts);
+  }
+
+  /// In the plane: of vertices that make positively oriented triangles with two others, as (from, v, to), the
+  /// number of the one whose circle has no other of them inside. Ties are perturbed. REQUIRES that there is
+  /// one.
+  std::size_t first_of_plane(Index from, Index to, std::span<const Index> vertices, const kernel::Grid& grid,
+                             StageCounts& counts) const requires(K == 2) {
+    if (form_ != kernel::RowForm::point || ambient_ != K) {
+      Index simplex[] = {from, 0, to};
+      const Index first = first_in_pencil(simplex, 1, Sign::positive, vertices, grid, counts);
+      return static_cast<std::size_t>(std::find(vertices.begin(), vertices.end(), first) - vertices.begin());
+    }
+    const PlanePencil pencil(point(from), point(to));
+    std::size_t first = vertices.size();
+    PlanePencil::View of_first{};
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const PlanePencil::View view = pencil.view(point(vertices[i]));
+      Sign side = view.side();
+      if (side == Sign::zero) {
+        const Index triangle[] = {from, vertices[i], to};
+        side = kernel::orientation<K>(flat(), gather(triangle).data(), grid);
+      }
+      if (side != Sign::positive) continue;
+      if (first < vertices.size()) {
+        side = view.against(of_first);
+        if (side == Sign::zero) {
+          const Index triangle[] = {from, vertices[first], to};
+          const PointQuery q{point(vertices[i]), &grid, flat().row_size()};
+          side = exact_side(triangle, -1, q, counts);
+          if (side == Sign::zero) side = perturbed_side(triangle, q, counts);
+        }
+        if (side != Sign::negative) continue;
+      }
+      first = i;
+      of_first = view;
+    }
+    return first;
   }
 
   /// Writes rows of the vertices, which have numbers from 1 on, and of the center, which has the number after

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "kernel/box_corners.hpp"
+#include "kernel/dependent_points.hpp"
 #include "kernel/determinant.hpp"
 #include "kernel/determinant_grid.hpp"
 #include "kernel/double_double_stage.hpp"
@@ -316,6 +317,7 @@ std::optional<Sign> direct_sphere(const Flat& flat, const double* const* points,
   if (sign) return sign;
   if (!flat.weighted() && are_corners_of_a_box(flat.ambient, points, flat.dimension() + 1, q))
     return Sign::zero;
+  if (is_on_sphere_of_others(flat, points, q)) return Sign::zero;
   return double_double_sphere(flat, points, q);
 }
 

@@ -91,25 +91,8 @@ class Hole {
   /// The slot of the vertex that goes in one of its cells.
   int slot_of_leaving(std::size_t cell) const { return slots_[cell]; }
 
-  /// In the plane, around a vertex inside: the vertex where an edge of the border begins, seen
-  /// counterclockwise, and all edges in the order in which they follow each other. Valid until the next.
-  Index beginning(std::uint32_t edge) const requires(K == 2) { return end_of(edge, 1); }
-  std::span<const std::uint32_t> cycle() requires(K == 2) {
-    edge_at_.resize(ids_.size());
-    for (std::uint32_t edge = 0; edge < border_.size(); ++edge) edge_at_[beginning(edge)] = edge;
-    cycle_.clear();
-    for (std::uint32_t edge = 0; cycle_.size() < border_.size(); edge = edge_at_[end_of(edge, 2)])
-      cycle_.push_back(edge);
-    return cycle_;
-  }
-
  private:
   std::size_t width() const { return static_cast<std::size_t>(K > 0 ? K : dimension_) + 1; }
-  /// Seen from the vertex that goes, an edge leads from the vertex in the next slot to that in the one after
-  /// it.
-  Index end_of(std::uint32_t edge, int slots) const {
-    return numbers_of_cell(border_[edge].inner)[(border_[edge].slot + slots) % 3];
-  }
   void begin(const CellStore<K>& cells, ConflictZone& zone) {
     dimension_ = cells.dimension();
     zone.num_cells = zone.num_facets = zone.num_marked = zone.num_infinite = 0;
@@ -158,7 +141,6 @@ class Hole {
   internal::StampedTable numbers_;  // by id
   std::vector<Index> numbers_of_cells_;
   std::vector<BorderFacet> border_;
-  std::vector<std::uint32_t> edge_at_, cycle_;  // the edge that begins at a vertex
 };
 
 }  // namespace delone::engine

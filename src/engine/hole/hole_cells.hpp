@@ -28,15 +28,14 @@ class HoleCells {
 
   explicit HoleCells(int dimension) : dimension_(dimension) {}
 
-  /// Begins with no cell. Without `facets` cells are linked by link() alone.
-  void begin(const Hole<K>& hole, bool facets) {
+  /// Begins with no cell.
+  void begin(const Hole<K>& hole) {
     const auto border = hole.border();
     num_cells_ = num_open_ = 0;
     first_facet_ = static_cast<std::uint32_t>(border.size());
     has_excess_ = false;
     beyond_border_.assign(border.size(), none);
     unmatched_.clear();
-    if (!facets) return;
     while (keys_.size() <= hole.vertices().size() + 1)
       keys_.push_back(random::mix(0x9e3779b97f4a7c15u * (keys_.size() + 1)));
     facets_.clear((border.size() + hole.num_cells() * width()) / 2);

@@ -66,12 +66,6 @@ class HoleFiller {
   std::optional<Filling> fill(ConflictZone& zone, StageCounts& counts, OnSize&& on_size) {
     const bool is_star = hole_.leaving() != invalid_index;
     looks_left_ = is_star ? looks_per_cell * (cells_.num_cells() + 4000) : static_cast<std::size_t>(-1);
-    if constexpr (K == 2)
-      if (is_star && hole_.num_finite() == hole_.num_cells()) {
-        if (!find_triangles(counts)) return std::nullopt;
-        on_size(found_.size());
-        return create(zone, true, counts);
-      }
     const std::span<const Index> vertices = hole_.vertices();
     search_.begin(dimension(), vertices.size(), vertices.size() + 1);
     geometry_.place(vertices, is_star ? hole_.leaving() : vertices.front(), search_);
@@ -92,42 +86,6 @@ class HoleFiller {
 
   int dimension() const { return cells_.dimension(); }
   std::size_t width() const { return static_cast<std::size_t>(dimension()) + 1; }
-
-  /// In the plane, around a vertex inside: the hole is a polygon. A triangle at one of its edges, whose apex
-  /// exact predicates choose, leaves a polygon on each side. Returns false soon if that takes too long.
-  bool find_triangles(StageCounts& counts) requires(K == 2) {
-    found_.begin(hole_, false);
-    const std::span<const std::uint32_t> cycle = hole_.cycle();
-    const auto number = [&](std::size_t i) { return hole_.beginning(cycle[i]); };
-    polygons_.assign(1, {0, static_cast<std::uint32_t>(cycle.size()) - 1, cycle.back()});
-    while (!polygons_.empty()) {
-      const Polygon polygon = polygons_.back();
-      polygons_.pop_back();
-      std::uint32_t apex = polygon.first + 1;
-      if (polygon.last - polygon.first > 2) {
-        contenders_.clear();
-        for (std::uint32_t i = polygon.first + 1; i < polygon.last; ++i)
-          contenders_.push_back(hole_.id(number(i)));
-        std::array<Index, 3> triangle{hole_.id(number(polygon.first)), 0, hole_.id(number(polygon.last))};
-        const Index first = first_of_contenders(triangle.data(), 1, Sign::positive, counts);
-        if (first == invalid_index) return false;
-        while (hole_.id(number(apex)) != first) ++apex;
-      }
-      found_.reserve_one();
-      const std::array<Index, 3> triangle{number(polygon.first), number(apex), number(polygon.last)};
-      const auto facet = static_cast<std::uint32_t>(3 * found_.add(triangle.data(), 1, triangle[1], false));
-      found_.link(facet + 1, polygon.beyond);
-      const auto go_on = [&](std::uint32_t first, std::uint32_t last, std::uint32_t here) {
-        if (last == first + 1)
-          found_.link(here, cycle[first]);
-        else
-          polygons_.push_back({first, last, found_.first_facet() + here});
-      };
-      go_on(polygon.first, apex, facet + 2);
-      go_on(apex, polygon.last, facet);
-    }
-    return true;
-  }
 
   /// What other work costs, in looks at a vertex: a cell of a rebuild, a comparison by predicates, and an
   /// exact one.
@@ -154,7 +112,7 @@ class HoleFiller {
   bool find_cells(bool exact, StageCounts& counts) {
     const std::span<const BorderFacet> border = hole_.border();
     is_exact_ = exact;
-    found_.begin(hole_, true);
+    found_.begin(hole_);
     start_.resize(functions_size_);
     const bool is_star = hole_.leaving() != invalid_index;
     const std::size_t most = is_star ? exact ? static_cast<std::size_t>(-1) : 16 * hole_.num_cells() + 256
@@ -267,7 +225,7 @@ class HoleFiller {
     cells_.reserve(found_.size());
     cells_.reserve_vacancies(std::max(found_.size(), zone.num_cells));
     created_.resize(found_.size());
-    prepare(is_known);
+    prepare();
     for (Index& cell : created_) cell = cells_.allocate();
     bool is_right = false;
     Index num_infinite = 0;
@@ -301,12 +259,10 @@ class HoleFiller {
     return Filling{found_.size(), num_infinite, created_.front()};
   }
 
-  void prepare(bool is_known) {
-    if (K != 2 || !is_known) {
-      rows_.resize((hole_.vertices().size() + 1) * width());
-      double* row = rows_.data();
-      for (const Index v : hole_.vertices()) geometry_.write_row_of(v, row += width());
-    }
+  void prepare() {
+    rows_.resize((hole_.vertices().size() + 1) * width());
+    double* row = rows_.data();
+    for (const Index v : hole_.vertices()) geometry_.write_row_of(v, row += width());
     written_.resize(found_.size() * width());
     finite_.clear();
     finite_.reserve(found_.size());
@@ -436,12 +392,6 @@ class HoleFiller {
   std::size_t looks_left_ = 0;
   std::vector<double> functions_;  // of finite cells that have been found
   std::vector<double> start_;
-  /// In the plane: the vertices first, …, last of the cycle, and the facet beyond the edge from the last to
-  /// the first.
-  struct Polygon {
-    std::uint32_t first, last, beyond;
-  };
-  std::vector<Polygon> polygons_;
   std::vector<Index> source_, simplex_, contenders_;
   // The cells that have been created.
   std::vector<Index> created_, written_;

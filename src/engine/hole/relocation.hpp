@@ -17,6 +17,7 @@
 #include "engine/change.hpp"
 #include "engine/hole/moved_cells.hpp"
 #include "engine/hole/refill.hpp"
+#include "engine/hole/star_in_plane.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -26,6 +27,7 @@
 #include <new>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace delone::engine {
@@ -49,8 +51,7 @@ class Relocation {
   Change relocate(Index v, Index cell) {
     bad_.clear();
     seeds_.clear();
-    if (!find_star(v, cell) || !renew_star()) return {Outcome::costly};
-    find_bad_cells();
+    if (!find_bad_cells_of_star(v, cell)) return {Outcome::costly};
     if (2 * seeds_.size() > around_.size()) return {Outcome::costly};  // removing the vertex costs no more
     if (!fill_one_hole()) return {Outcome::costly};
     around_.insert(around_.end(), hole_.begin(), hole_.end());
@@ -80,6 +81,10 @@ class Relocation {
   /// After a relocation that was too costly, when the vertex is where it was: computes the functionals of its
   /// cells again.
   void take_back() noexcept {
+    if constexpr (K == 2) {
+      for (const Index cell : around_) create_functional(cells_, geometry_, cell);
+      return;
+    }
     try {
       for (std::size_t i = 0; i < around_.size(); i += batch_size)
         moved_cells_.compute({around_.data() + i, std::min(batch_size, around_.size() - i)});
@@ -96,6 +101,47 @@ class Relocation {
 
   int dimension() const { return cells_.dimension(); }
   std::size_t width() const { return static_cast<std::size_t>(dimension()) + 1; }
+
+  /// Finds the cells of a vertex, computes their functionals, and finds those that are bad now. Returns false
+  /// if one of them is infinite or not positively oriented.
+  bool find_bad_cells_of_star(Index v, Index cell) {
+    if constexpr (K == 2) {
+      const bool is_inside = star_.find(cells_, geometry_, v, cell);
+      around_.clear();
+      for (const StarInPlane::Sector& sector : star_.sectors()) around_.push_back(sector.cell);
+      if (!is_inside || !renew_star_in_plane()) return false;
+      find_bad_cells_in_plane();
+    } else {
+      if (!find_star(v, cell) || !renew_star()) return false;
+      find_bad_cells();
+    }
+    return true;
+  }
+  /// Stars of the plane have few cells, which are faster one by one.
+  bool renew_star_in_plane() requires(K == 2) {
+    for (const StarInPlane::Sector& sector : star_.sectors()) {
+      geometry_.prefetch_row(cells_.vertex(sector.survivor, sector.mirror));
+      const auto vertices = cells_.vertices(sector.cell);
+      const Index* const v = vertices;
+      if (geometry_.create(sector.cell, v, -1, 0) != Sign::positive &&
+          geometry_.orientation(v) != Sign::positive)
+        return false;
+    }
+    return true;
+  }
+  void find_bad_cells_in_plane() requires(K == 2) {
+    const std::span<const StarInPlane::Sector> sectors = star_.sectors();
+    const auto test = [&](const FacetToTest& facet) {
+      if (!is_locally_delaunay(facet)) add_bad(facet);
+    };
+    const StarInPlane::Sector* before = &sectors[sectors.size() - 2];
+    const StarInPlane::Sector* last = &sectors.back();
+    for (const StarInPlane::Sector& sector : sectors) {
+      test({sector.cell, sector.survivor, cells_.vertex(sector.survivor, sector.mirror)});
+      test({before->cell, last->cell, sector.vertex});  // where the edge of the last one ends
+      before = std::exchange(last, &sector);
+    }
+  }
 
   /// Returns false as soon as a cell of the star is infinite.
   bool find_star(Index v, Index cell) {
@@ -372,6 +418,7 @@ class Relocation {
   G& geometry_;
   HoleFiller<K, G>& filler_;
   MovedCells<K, G> moved_cells_;
+  StarInPlane star_;
   std::vector<Index> around_;          // the cells of a vertex
   internal::StampedTable around_set_;  // the same
   internal::StampedTable bad_;         // the states of cells

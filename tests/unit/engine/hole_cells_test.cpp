@@ -41,7 +41,7 @@ class HoleOfOneCell : public testing::Test {
 
 TEST_F(HoleOfOneCell, IsMatchedWithAllFacetsOfTheBorder) {
   ASSERT_EQ(hole_.border().size(), 4u);
-  found_.begin(hole_, true);
+  found_.begin(hole_);
   EXPECT_FALSE(found_.are_all_matched());
   add(false);
   found_.match_facets(0, true);
@@ -53,7 +53,7 @@ TEST_F(HoleOfOneCell, IsMatchedWithAllFacetsOfTheBorder) {
 }
 
 TEST_F(HoleOfOneCell, IsNotFilledByACellOnTheOtherSide) {
-  found_.begin(hole_, true);
+  found_.begin(hole_);
   add(true);
   found_.match_facets(0, true);
   EXPECT_TRUE(found_.are_all_matched());
@@ -61,14 +61,14 @@ TEST_F(HoleOfOneCell, IsNotFilledByACellOnTheOtherSide) {
 }
 
 TEST_F(HoleOfOneCell, IsNotMatchedWithOtherFacets) {
-  found_.begin(hole_, true);
+  found_.begin(hole_);
   add(false);
   found_.match_facets(0, true);
   std::array<std::uint32_t, 4> order{found_.beside(0), found_.beside(1), found_.beside(2), found_.beside(3)};
   std::sort(order.begin(), order.end());
   int num_right = 0;
   do {
-    found_.begin(hole_, false);
+    found_.begin(hole_);
     add(false);
     for (std::uint32_t here = 0; here < 4; ++here) found_.link(here, order[here]);
     num_right += found_.are_matches_right(hole_) ? 1 : 0;
@@ -77,7 +77,7 @@ TEST_F(HoleOfOneCell, IsNotMatchedWithOtherFacets) {
 }
 
 TEST_F(HoleOfOneCell, IsNotFilledTwice) {
-  found_.begin(hole_, true);
+  found_.begin(hole_);
   for (std::size_t cell = 0; cell < 2; ++cell) {
     const std::vector<Index> numbers(hole_.numbers_of_cell(0), hole_.numbers_of_cell(0) + 4);
     found_.reserve_one();
