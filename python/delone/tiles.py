@@ -15,8 +15,7 @@ from typing import Iterator, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 
-from . import _core
-from ._lattice import vectors
+from . import _core, _lattice
 
 __all__ = ["Forecast", "Part", "PartIndex", "Report", "Tiles", "make_tiles"]
 
@@ -480,7 +479,7 @@ def make_tiles(points, folder, *, weights=None, lattice=None, axes=None, columns
         given = _rows_of(points, weights)
         dimension = given.shape[1] - (weights is not None)
     if lattice is not None:
-        rows = vectors(lattice, axes, _dimension_of(lattice) if dimension is None else dimension)
+        rows = _lattice.vectors(lattice, axes, _dimension_of(lattice) if dimension is None else dimension)
         how.update(lattice=rows.ravel().tolist(), dimension=rows.shape[1])
     _core._make_tiles(given, os.fsencode(folder), **how)
     return Tiles(folder)
