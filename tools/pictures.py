@@ -25,7 +25,7 @@ PROGRAMS = {
     "tools/make_view_pictures.py": (["tests/site/chromium.py", "viewer/dist/viewer.html", *DATA], ["PIL", "selenium"]),
     "tools/make_pictures.py": (["python/delone/_canvas.py", "python/delone/_plot.py", "python/delone/spatial/_plot.py", *DATA],
                                ["matplotlib", "numpy", "PIL", "scipy"]),
-    "tools/make_particle_pictures.py": (["tools/make_pictures.py", "data/protein.csv"], ["matplotlib", "numpy", "PIL", "scipy"]),
+    "tools/make_particle_pictures.py": (["tools/make_pictures.py", *DATA], ["matplotlib", "numpy", "PIL", "scipy"]),
 }
 
 
