@@ -380,8 +380,8 @@ class ParallelInsertion {
     }
   }
 
-  /// What a worker has to do, beside its range.
-  struct Stretch {
+  /// What a worker has to do, beside its range. On lines of its own: it is written at each insertion.
+  struct alignas(128) Stretch {
     std::vector<std::size_t> put_off;  // numbers in the batch
     std::size_t next = 0;              // of those in put_off; the ones before have been tried again
     std::size_t since_last_clash = 0, failures = 0, since_tick = 0;
