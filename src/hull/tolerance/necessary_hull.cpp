@@ -16,8 +16,7 @@
 namespace delone::hull {
 namespace {
 
-constexpr double unit = kernel::unit_roundoff;
-constexpr double absolute = 0x1p-500;
+using kernel::unit_roundoff;
 
 class Search {
  public:
@@ -83,10 +82,10 @@ class Search {
       size += std::fabs(n[j]) * sieve_.box().reach[j];
     }
     const auto dimension = static_cast<double>(d_);
-    const double length = std::sqrt(square) * (1 + (dimension + 4) * unit);
+    const double length = std::sqrt(square) * (1 + (dimension + 4) * unit_roundoff);
     if (!(length > 0x1p-400 && length < 0x1p400)) return false;
-    const double least =
-        tolerance_ * length * (1 + 4 * unit) + 2.02 * (dimension + 2) * unit * size * 1.01 + absolute;
+    const double least = tolerance_ * length * (1 + 4 * unit_roundoff) +
+                         2.02 * (dimension + 2) * unit_roundoff * size * 1.01 + underflow_slack;
     const double* w = coordinates_.data();
     for (std::size_t i = 0; i < n_; ++i, w += d_) {
       double product = 0;
