@@ -209,6 +209,10 @@ int run_check_tiles(const CheckCommandOptions& options) {
   CheckOptions check_options;
   check_options.up_to = options.level;
   check_options.canonical = options.canonical;
+  if (index.lattice.rank() > 0 && !options.points.path.empty())
+    throw UsageError(
+        fmt::format("--points: {} has tiles of a periodic set, which are not compared with points",
+                    input_name(options.path)));
   std::optional<PointTable> input;
   if (!options.points.path.empty()) input = options.points.read(options.threads);
   const CheckReport report = about(input_name(options.path), [&] {
@@ -224,7 +228,8 @@ int run_check_tiles(const CheckCommandOptions& options) {
                   index.affine_dimension, counted(static_cast<std::size_t>(index.num_cells), "cell"),
                   counted(index.parts.size(), "part")),
       report, ties(ComplexData{}, report),
-      fmt::format("a {} triangulation of {}, each point in one part", index.weighted ? "regular" : "Delaunay",
+      fmt::format("a {}{} triangulation of {}, each point in one part",
+                  index.lattice.rank() > 0 ? "periodic " : "", index.weighted ? "regular" : "Delaunay",
                   !input            ? "its vertices"
                   : !index.weighted ? "all its points"
                                     : "all its points but hidden ones, which are not examined"));

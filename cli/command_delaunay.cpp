@@ -147,12 +147,16 @@ Run add_delaunay(CLI::App& app) {
   options->build.add_construction(app, "the triangulation", TilesInput::beyond_memory);
   options->tiles.add_to(app);
   options->periodic.add_to(app);
-  for (const char* other :
-       {"--trim", "--qhull", "--furthest-site", "--runtime-dimension", "--tiles", "--raw"})
+  for (const char* other : {"--trim", "--qhull", "--furthest-site", "--runtime-dimension"})
     app.get_option("--lattice")->excludes(other);
   return [options, &app] {
-    if (!options->periodic.is_wanted() && options->tiles.wanted(app, options->build.output))
-      return run_tiles({"delaunay", options->input, {}, options->build, options->tiles});
+    if (options->tiles.wanted(app, options->build.output))
+      return run_tiles({"delaunay",
+                        options->input,
+                        {},
+                        options->build,
+                        options->tiles,
+                        options->periodic.lattice_of_tiles()});
     return run_delaunay(*options);
   };
 }

@@ -155,9 +155,9 @@ std::string describe(const TilesIndex& index) {
       .line("affine dimension", index.affine_dimension)
       .line("weights", index.weighted ? "stored" : "none")
       .line("cells", index.num_cells)
-      .line("hull facets", index.num_hull_facets)
-      .line("vertices", index.num_vertices)
-      .line("duplicates", index.num_duplicates);
+      .line("hull facets", index.num_hull_facets);
+  if (index.lattice.rank() > 0) description.line("lattice vectors", index.lattice.rank());
+  description.line("vertices", index.num_vertices).line("duplicates", index.num_duplicates);
   if (index.weighted) description.line("hidden points", index.num_hidden);
   description.line("parts", index.parts.size());
   if (!index.parts.empty()) {

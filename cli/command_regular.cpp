@@ -81,11 +81,10 @@ Run add_regular(CLI::App& app) {
   options->build.add_construction(app, "the triangulation", TilesInput::beyond_memory);
   options->tiles.add_to(app);
   options->periodic.add_to(app);
-  for (const char* other : {"--tiles", "--raw"}) app.get_option("--lattice")->excludes(other);
   return [options, &app] {
-    if (!options->periodic.is_wanted() && options->tiles.wanted(app, options->build.output))
-      return run_tiles(
-          {"regular", options->weighted.input, options->weighted.column(), options->build, options->tiles});
+    if (options->tiles.wanted(app, options->build.output))
+      return run_tiles({"regular", options->weighted.input, options->weighted.column(), options->build,
+                        options->tiles, options->periodic.lattice_of_tiles()});
     return run_regular(*options);
   };
 }

@@ -21,9 +21,9 @@ namespace delone::cli {
 namespace {
 
 constexpr std::array of_tiles{"--tiles", "--raw", "--vtu", "--no-resume"};
-constexpr std::array of_files{"--output-format", "--qhull",         "--force",       "--max-stream",
-                              "--trim",          "--furthest-site", "--seed",        "--runtime-dimension",
-                              "--order",         "--time",          "--skip-missing"};
+constexpr std::array of_files{
+    "--output-format",     "--qhull", "--force", "--max-stream",   "--trim", "--furthest-site", "--seed",
+    "--runtime-dimension", "--order", "--time",  "--skip-missing", "--unit", "--exact"};
 
 bool is_given(const CLI::App& command, const char* option) {
   const CLI::Option* const found = command.get_option_no_throw(option);
@@ -85,6 +85,7 @@ Json stats_of(const TilesCommand& command, const TilesIndex& index, const Cost& 
   json["hidden"] = index.num_hidden;
   json["cells"] = index.num_cells;
   json["hull_facets"] = index.num_hull_facets;
+  if (index.lattice.rank() > 0) json["lattice_vectors"] = index.lattice.rank();
   json["hash"] = index.hash.hex();
   json["parts"] = index.parts.size();
   json["foreign"] = foreign;
@@ -102,6 +103,7 @@ TilesOptions options_of(const TilesCommand& command, ProgressBar& bar) {
   options.tiles = command.tiles.tiles;
   options.threads = command.build.threads;
   options.weighted = !command.weights.empty();
+  options.lattice = command.lattice;
   options.format = command.tiles.raw_columns > 0 ? "raw" : command.input.options.format;
   options.columns = command.tiles.raw_columns;
   options.coordinates = command.input.options.columns;
@@ -156,6 +158,8 @@ bool TilesInput::wanted(const CLI::App& command, const std::string& output) cons
       if (is_given(command, option))
         throw UsageError(
             fmt::format("{} does not go together with tiles, which a folder as output means", option));
+  if (is_tiled && vtu && is_given(command, "--lattice"))
+    throw UsageError("--vtu does not go together with --lattice");
   if (is_tiled && raw_columns > 0 && is_given(command, "--format"))
     throw UsageError("--raw is a format; --format names another one");
   return is_tiled;

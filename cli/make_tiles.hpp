@@ -6,6 +6,8 @@
 #include "build_options.hpp"
 #include "command.hpp"
 
+#include <delone/periodic.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -36,6 +38,7 @@ struct TilesCommand {
   std::string weights;  ///< the column, empty: none
   const BuildOptions& build;
   const TilesInput& tiles;
+  Lattice lattice;  ///< of a periodic set
 };
 
 /// Makes the folder, reports, and returns the exit status.

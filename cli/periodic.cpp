@@ -123,6 +123,21 @@ Lattice PeriodicInput::read(int dimension) const {
   return chosen;
 }
 
+Lattice PeriodicInput::lattice_of_tiles() const {
+  if (!is_wanted()) return {};
+  const std::vector<std::string> items = split_list(lattice);
+  if (std::all_of(items.begin(), items.end(), [](const std::string& item) { return parse_real(item); })) {
+    if (items.size() == 1)
+      throw UsageError(
+          fmt::format("--lattice {}: tiles take a length per axis, separated by commas", lattice));
+    return read(static_cast<int>(items.size()));
+  }
+  if (std::error_code error; !std::filesystem::exists(lattice, error))
+    throw Error(Errc::cannot_open,
+                fmt::format("--lattice {}: neither lengths nor a file", input_name(lattice)));
+  return read(about("--lattice", [&] { return read_points(lattice); }).dimension);
+}
+
 Counts counts_of(const PeriodicTriangulation& t, std::string hash) {
   return {t.dimension(),
           t.affine_dimension(),

@@ -23,6 +23,9 @@ struct PeriodicInput {
   bool is_wanted() const { return !lattice.empty(); }
   /// Throws UsageError if the value is not a lattice of this dimension.
   Lattice read(int dimension) const;
+  /// That of points in tiles, which are not read before: a length per axis, or a file of vectors, tells the
+  /// dimension. Without vectors if it is not wanted. Throws UsageError for a single length.
+  Lattice lattice_of_tiles() const;
   /// Throws UsageError for a bad unit.
   PeriodicOptions options() const;
 };

@@ -284,10 +284,12 @@ class Run {
     for (std::size_t t = 0; t < records.size(); ++t) folder_->know(t, records[t]);
     TilesIndex index = folder_->summary();
     std::vector<io::FileContent> seams;
-    index.num_hull_facets += match_seams(folder_->work(), tiles::first_cells(index), owners, ranks_,
-                                         [&](std::size_t t, std::span<const std::int64_t> cells) {
-                                           seams.push_back(tiles::write_seams(folder_name_, t, cells));
-                                         });
+    index.num_hull_facets +=
+        match_seams(folder_->work(), tiles::first_cells(index), owners, ranks_,
+                    [&](std::size_t t, std::span<const std::int64_t> cells) {
+                      seams.push_back(tiles::write_seams(folder_name_, t, cells,
+                                                         static_cast<std::size_t>(index.lattice.rank())));
+                    });
     seams = ranks_.gather(seams);
     for (std::size_t t = 0; t < seams.size(); ++t) tiles::set_content_of_seams(index.parts[t], seams[t]);
     ranks_.together([&] { folder_->sync(owners.first_tile(rank), owners.first_tile(rank + 1)); });

@@ -64,7 +64,8 @@ RULES = {
     "src/view": (PUBLIC, {"src/faces", "src/io", "src/io/complexes", "src/base"}),
     "src/tiles": (PUBLIC, {"src/triangulation", "src/solve", "src/complex", "src/io", "src/io/points", "src/io/complexes", "src/order",
                            "src/kernel", "src/forecast/model", "src/messages", "src/base"}),
-    "src/tiles/check": (PUBLIC, {"src/tiles", "src/check", "src/complex", "src/io", "src/kernel", "src/base"}),
+    "src/tiles/making": (PUBLIC, {"src/tiles", "src/periodic", "src/triangulation", "src/complex", "src/io", "src/kernel", "src/base"}),
+    "src/tiles/check": (PUBLIC, {"src/tiles", "src/tiles/making", "src/periodic", "src/check", "src/complex", "src/io", "src/kernel", "src/base"}),
     "src/periodic": (PUBLIC, {"src/tiles", "src/queries", "src/triangulation", "src/solve", "src/complex", "src/kernel", "src/base"}),
     # The public header for MPI includes that of MPI.
     "include/delone/mpi": (PUBLIC, set()),

@@ -7,6 +7,7 @@
 #include <delone/complex.hpp>
 #include <delone/execution.hpp>
 #include <delone/export.hpp>
+#include <delone/periodic.hpp>
 #include <delone/points.hpp>
 
 #include <cstddef>
@@ -37,6 +38,8 @@ struct TilesOptions {
   unsigned threads = 1;  ///< as Execution::threads
   /// Whether a column of the input holds weights: the triangulation is then regular.
   bool weighted = false;
+  /// The lattice of a periodic set, as of PeriodicDelaunay; without vectors: an open set.
+  Lattice lattice;
   /// The format of the input: as ReadOptions::format, or raw: little-endian doubles, `columns` of them in a
   /// row; empty: by extension.
   std::string format;
@@ -74,15 +77,22 @@ struct TilePart {
 struct TilesIndex {
   int dimension = 0, affine_dimension = -1;
   bool weighted = false;
+  Lattice lattice;  ///< of a periodic set, on its grid
   std::int64_t num_points = 0, num_vertices = 0, num_duplicates = 0, num_hidden = 0, num_cells = 0;
   std::int64_t num_hull_facets = 0;
-  CanonicalHash hash;  ///< that of the whole triangulation, as Triangulation::hash()
+  CanonicalHash hash;  ///< that of the whole triangulation, as Triangulation or PeriodicTriangulation::hash()
   std::vector<TilePart> parts;
 };
 
 /// The contents of the file of one part. A cell belongs to the tile of its lexicographically smallest vertex.
+///
+/// In a periodic set each row has one point, its translate in the box of the lattice: where the coefficients
+/// are in [0, 1), in terms of short vectors with the same translations as the given ones. (Of a box along the
+/// axes these are the given ones.) The points of the tile itself come first. Offsets count from these points.
+/// Seams are also where cells meet translates of their part.
 struct TileData {
   int dimension = 0, affine_dimension = -1;
+  int rank = 0;                     ///< r: the vectors of the lattice; 0: an open set
   std::vector<std::int64_t> rows;   ///< v: the input row of each point below, the first of equal ones
   std::vector<double> points;       ///< v×d: the vertices of the cells, those of other tiles included
   std::vector<double> weights;      ///< v, or none
@@ -90,7 +100,10 @@ struct TileData {
   /// m×(k+1): the cell of this part across the facet opposite each vertex; −1 outside the convex hull; −2 −
   /// s: the cell seams[s] of another part.
   std::vector<std::int32_t> neighbors;
-  std::vector<std::int64_t> seams;          ///< global ids of cells
+  std::vector<std::int64_t> seams;  ///< global ids of cells
+  /// m×(k+1)×r: by how many vectors of the lattice each vertex is translated; 0 for the smallest.
+  std::vector<std::int32_t> cell_offsets;
+  std::vector<std::int32_t> seam_offsets;   ///< of each seam r: by how many the cell there is translated
   std::vector<std::int64_t> own_rows;       ///< the input rows of the tile, increasing
   std::vector<std::int64_t> vertex_of_row;  ///< for each of them the first equal row; −1: hidden
 

@@ -54,7 +54,7 @@ class GhostTriangulation::Asking {
         d_(set_.dimension),
         k_(axes_.size()),
         finder_(static_cast<int>(d_), axes_, is_aligned(set_, axes_)),
-        search_(images_),
+        search_(images_, 0, images_.table().num_pages()),
         centers_(solve::CenterFinder::block * d_) {}
 
   void ask_all() {
@@ -155,7 +155,7 @@ class GhostTriangulation::Asking {
       squared += (own[j] - center[j]) * (own[j] - center[j]);
       magnitude += std::abs(center[j]);
     }
-    if (set_.weighted) squared += std::max(images_.largest_weight() - own[d_], 0.0);
+    if (set_.weighted) squared += std::max(images_.extent().largest_weight() - own[d_], 0.0);
     return std::sqrt(squared) * (1 + 0x1p-40) + 0x1p-48 * magnitude;
   }
 
@@ -164,7 +164,7 @@ class GhostTriangulation::Asking {
     for (std::size_t i = 0; i < set_.rank; ++i) {
       const double middle = set_.period.fraction(i, center),
                    width = radius * set_.period.gradient_length(i) * (1 + 0x1p-40) +
-                           set_.period.fraction_slack(i, center) + 2 * images_.fraction_slack(i);
+                           set_.period.fraction_slack(i, center) + 2 * images_.extent().fraction_slack(i);
       if (!(middle - width > -images_.known_below(i) && middle + width < 1 + images_.known_above(i)))
         return false;
     }
@@ -209,7 +209,7 @@ class GhostTriangulation::Asking {
   const std::vector<int> axes_;
   const std::size_t d_, k_;
   solve::CenterFinder finder_;
-  ImageSearch<D> search_;
+  ImageSearch<D, Images> search_;
   internal::QuickRounds round_;
   std::vector<Spoke> spokes_;
   std::vector<const double*> corners_, facet_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The search for the image that a growing sphere through a point of the set meets first: the question of
-// tiles/question.hpp, asked in each translated copy of the pages that the sphere may reach.
+// tiles/question.hpp, asked in each translated copy of the pages that the sphere may reach. Points of a tile
+// ask, too, for those of other tiles: the copy that is not translated.
 //
 // Which copies. The part of a ball of center c and radius R between two planes orthogonal to a free direction
 // is within √(R² − h²) of c along the lattice, h the distance of c from the planes. With c − p = λ(a + b), a
@@ -28,18 +29,24 @@ namespace delone::periodic {
 
 struct FoundImage {
   bool is_open = false;
+  bool is_waiting = false;  ///< a page that may hold a better one is not here yet
   std::uint32_t shift = 0;
   tiles::PointPlace place;
 };
 
-template <int D>
+/// `Copies`: Images, or what a tile has instead.
+template <int D, class Copies>
 class ImageSearch {
  public:
-  explicit ImageSearch(Images& images)
+  /// The points that ask are those of the pages first … last − 1.
+  ImageSearch(Copies& images, std::size_t first, std::size_t last)
       : images_(images),
+        extent_(images.extent()),
         set_(images.set()),
+        has_others_(first > 0 || last < images.tree().table().num_pages()),
         question_(set_.dimension, set_.weighted),
-        search_(images.tree(), images.source(), images.shift(0).known, 0, 0),
+        search_(images.tree(), images.source(), untranslated_known(), 0, 0),
+        search_of_others_(images.tree(), images.source(), untranslated_known(), first, last),
         moved_p_(set_.row_size()),
         moved_c_(set_.dimension),
         image_(set_.row_size()),
@@ -53,9 +60,9 @@ class ImageSearch {
         of_p_(set_.rank),
         of_step_(set_.rank),
         at_(set_.rank),
-        beyond_(images.num_free_directions()),
-        depth_(images.num_free_directions()) {
-    question_.set_largest_weight(images.weight_range());
+        beyond_(extent_.num_free_directions()),
+        depth_(extent_.num_free_directions()) {
+    question_.set_largest_weight(extent_.weight_range());
     for (std::size_t i = 0; i < set_.rank; ++i)
       for (std::size_t j = 0; j < set_.rank; ++j) steps_[i * set_.rank + j] = along(i, set_.period.vector(j));
     for (const double largest : set_.largest) size_ += largest;
@@ -74,19 +81,33 @@ class ImageSearch {
       find_range(part);
       for (std::size_t i = 0; i < set_.rank; ++i) at_[i] = of_p_[i] + part * of_step_[i];
       each_shift(set_.rank, 0, [&] {
-        if (std::all_of(k_.begin(), k_.end(), [](std::int32_t one) { return one == 0; })) return;
-        ask(p, center, is_in_conflict, best, found);
+        if (has_others_ || !is_zero(k_)) ask(p, center, is_in_conflict, best, found);
       });
-      if (found.is_open || part == 1) return found;
+      found.is_waiting = best.is_waiting;
+      if (found.is_open || found.is_waiting || part == 1) return found;
     }
   }
+  /// Beyond a facet with the vertex p and this outward unit normal, with an error below 1e-12, in the copy
+  /// that is translated by k.
+  template <class Exact>
+  FoundImage find_beyond(const double* p, const double* normal, std::span<const std::int32_t> k,
+                         const Exact& is_in_conflict) {
+    k_.assign(k.begin(), k.end());
+    tiles::Answer best;
+    FoundImage found;
+    ask_in_copy(p, is_in_conflict, best, found,
+                [&](const Shift&) { question_.ask_beyond_facet(moved_p_.data(), normal); });
+    found.is_waiting = best.is_waiting;
+    return found;
+  }
 
-  std::uint64_t num_pages() const { return search_.num_visited; }
+  std::uint64_t num_pages() const { return search_.num_visited + search_of_others_.num_visited; }
+  std::uint64_t num_exact() const { return search_.num_exact + search_of_others_.num_exact; }
 
  private:
   double along(std::size_t i, const double* x) const {
     double sum = 0;
-    for (std::size_t j = 0; j < set_.dimension; ++j) sum += images_.lattice_direction(i)[j] * x[j];
+    for (std::size_t j = 0; j < set_.dimension; ++j) sum += extent_.lattice_direction(i)[j] * x[j];
     return sum;
   }
 
@@ -104,7 +125,7 @@ class ImageSearch {
       double at = at_[i];
       for (std::size_t j = i; j < set_.rank; ++j) at -= k_[j] * steps_[i * set_.rank + j];
       const double apart =
-          std::max({images_.lattice_low(i) - at, at - images_.lattice_high(i), 0.0}) - slack_of_distance_;
+          std::max({extent_.lattice_low(i) - at, at - extent_.lattice_high(i), 0.0}) - slack_of_distance_;
       const double sum = squared + (apart > 0 ? apart * apart : 0.0);
       if (sum > squared_radius_) continue;
       each_shift(i, sum, visit);
@@ -137,7 +158,7 @@ class ImageSearch {
       }
       step_[i] = step;
       fraction_of_p_[i] = period.fraction(i, p);
-      slack_[i] = 0x1p-44 * magnitude + 2 * images_.fraction_slack(i);
+      slack_[i] = 0x1p-44 * magnitude + 2 * extent_.fraction_slack(i);
       along_slack += slack_[i] / period.gradient_length(i);
     }
     for (std::size_t j = 0; j < d; ++j) {
@@ -153,15 +174,15 @@ class ImageSearch {
     for (std::size_t i = 0; i < beyond_.size(); ++i) {
       double b = 0, at = 0;
       for (std::size_t j = 0; j < d; ++j) {
-        b += images_.free_direction(i)[j] * (c[j] - p[j]);
-        at += images_.free_direction(i)[j] * p[j];
+        b += extent_.free_direction(i)[j] * (c[j] - p[j]);
+        at += extent_.free_direction(i)[j] * p[j];
       }
       beyond_[i] = std::abs(b) + 0x1p-44 * radius_;
-      depth_[i] = std::max(b >= 0 ? images_.high(i) - at : at - images_.low(i), 0.0);
+      depth_[i] = std::max(b >= 0 ? extent_.high(i) - at : at - extent_.low(i), 0.0);
       // A direction that rounding may turn to the other side.
-      if (std::abs(b) <= 0x1p-44 * radius_) depth_[i] = images_.high(i) - images_.low(i);
+      if (std::abs(b) <= 0x1p-44 * radius_) depth_[i] = extent_.high(i) - extent_.low(i);
     }
-    gain_ = set_.weighted ? std::max(images_.largest_weight() - p[d], 0.0) : 0.0;
+    gain_ = set_.weighted ? std::max(extent_.largest_weight() - p[d], 0.0) : 0.0;
   }
 
   /// The shifts with images that the ball around p + part·(c − p) may have.
@@ -187,32 +208,50 @@ class ImageSearch {
   template <class Exact>
   void ask(const double* p, const double* c, const Exact& is_in_conflict, tiles::Answer& best,
            FoundImage& found) {
+    ask_in_copy(p, is_in_conflict, best, found, [&](const Shift& shift) {
+      for (std::size_t j = 0; j < set_.dimension; ++j) moved_c_[j] = c[j] - shift.by[j];
+      question_.ask_within_moved_sphere(moved_p_.data(), moved_c_.data(), c);
+    });
+  }
+  /// In the copy of k_. put_question(shift) puts it where the copy is not translated.
+  template <class Exact, class PutQuestion>
+  void ask_in_copy(const double* p, const Exact& is_in_conflict, tiles::Answer& best, FoundImage& found,
+                   const PutQuestion& put_question) {
     const std::uint32_t number = images_.shift_number(k_);
     const Shift& shift = images_.shift(number);
     const std::size_t d = set_.dimension;
-    for (std::size_t j = 0; j < d; ++j) {
-      moved_p_[j] = p[j] - shift.by[j];
-      moved_c_[j] = c[j] - shift.by[j];
-    }
+    for (std::size_t j = 0; j < d; ++j) moved_p_[j] = p[j] - shift.by[j];
     if (set_.weighted) moved_p_[d] = p[d];
-    question_.ask_within_moved_sphere(moved_p_.data(), moved_c_.data(), c);
+    put_question(shift);
     const tiles::Answer before = best;
-    best = search_.find_better(
-        question_,
-        [&](const double* x) {
-          std::copy_n(x, image_.size(), image_.data());
-          for (std::size_t j = 0; j < d; ++j) image_[j] += shift.by[j];
-          return is_in_conflict(image_.data());
-        },
-        shift.known, best);
+    best = (is_zero(k_) ? search_of_others_ : search_)
+               .find_better(
+                   question_,
+                   [&](const double* x) {
+                     std::copy_n(x, image_.size(), image_.data());
+                     for (std::size_t j = 0; j < d; ++j) image_[j] += shift.by[j];
+                     return is_in_conflict(image_.data());
+                   },
+                   shift.known, best);
     if (!best.is_open || (found.is_open && best.key == before.key && best.place == before.place)) return;
-    found = {true, number, best.place};
+    found = {true, false, number, best.place};
   }
 
-  Images& images_;
+  static bool is_zero(std::span<const std::int32_t> k) {
+    return std::all_of(k.begin(), k.end(), [](std::int32_t one) { return one == 0; });
+  }
+  /// Searches are told for each question what is known.
+  const tiles::KnownPoints& untranslated_known() {
+    const std::uint32_t number = images_.shift_number(std::vector<std::int32_t>(set_.rank, 0));
+    return images_.shift(number).known;
+  }
+
+  Copies& images_;
+  const Extent& extent_;
   const PeriodicSet& set_;
+  const bool has_others_;  // points in other pages
   tiles::Question<D> question_;
-  tiles::PageSearch search_;
+  tiles::PageSearch search_, search_of_others_;
   std::vector<double> moved_p_, moved_c_, image_;
   std::vector<double> fraction_of_p_, step_, slack_;  // of c − p, by the axes of the lattice
   std::vector<std::int32_t> k_, low_, high_;

@@ -6,32 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace delone::periodic {
 
-namespace {
-
-double dot(const double* a, const double* b, std::size_t d) {
-  double sum = 0;
-  for (std::size_t j = 0; j < d; ++j) sum += a[j] * b[j];
-  return sum;
-}
-
-}  // namespace
-
-Images::Images(const PeriodicSet& set) : set_(set) {
-  for (std::size_t i = 0; i < set_.rank; ++i) {
-    double magnitude = 0;
-    for (std::size_t j = 0; j < set_.dimension; ++j)
-      magnitude += std::abs(set_.period.gradient(i)[j]) * set_.largest[j];
-    fraction_slack_.push_back(static_cast<double>(set_.dimension + 4) * 0x1p-52 * magnitude);
-  }
+Images::Images(const PeriodicSet& set) : set_(set), extent_(set) {
   known_below_.assign(set_.rank, 0.0);
   known_above_ = known_below_;
   make_pages();
   shift_number(std::vector<std::int32_t>(set_.rank, 0));
-  find_directions();
 }
 
 void Images::make_pages() {
@@ -41,29 +23,11 @@ void Images::make_pages() {
   table_.first_point = {0};
   std::vector<double> records;
   records.reserve(n * (width + 1));
-  largest_weight_ = -std::numeric_limits<double>::infinity();
-  std::uint32_t heaviest = 0, middle = 0;
-  double least_off = std::numeric_limits<double>::infinity();
   for (std::size_t row = 0; row < n; ++row) {
-    double off = 0;  // from the middle of the box
-    for (std::size_t i = 0; i < set_.rank; ++i)
-      off = std::max(off, std::abs(set_.period.fraction(i, set_.row(row)) - 0.5));
-    if (off < least_off) {
-      least_off = off;
-      middle = static_cast<std::uint32_t>(row);
-    }
     records.insert(records.end(), set_.row(row), set_.row(row) + width);
     records.push_back(tiles::coded_row(static_cast<std::int64_t>(row)));
-    if (!set_.weighted) continue;
-    const double weight = set_.row(row)[set_.dimension];
-    weight_range_ = std::max(weight_range_, std::abs(weight));
-    if (weight > largest_weight_) {
-      largest_weight_ = weight;
-      heaviest = static_cast<std::uint32_t>(row);
-    }
+    extent_.add(set_.row(row), static_cast<std::int64_t>(row));
   }
-  extreme_.push_back(middle);
-  if (set_.weighted) extreme_.push_back(heaviest);
   tiles::order_pages(records, tiles::points_per_page(n), table_);
   const double* record = records.data();
   for (std::size_t page = 0; page < table_.num_pages(); ++page) {
@@ -72,73 +36,6 @@ void Images::make_pages() {
     record += numbers;
   }
   tree_ = std::make_unique<tiles::PageTree>(table_);
-}
-
-void Images::find_directions() {
-  const std::size_t d = set_.dimension, n = set_.num_points();
-  std::vector<double> basis;  // orthonormal
-  const auto add = [&](std::vector<double> x) {
-    const double before = std::sqrt(dot(x.data(), x.data(), d));
-    for (int pass = 0; pass < 2; ++pass)  // the second one removes what rounding has left
-      for (std::size_t at = 0; at < basis.size(); at += d) {
-        const double part = dot(x.data(), &basis[at], d);
-        for (std::size_t j = 0; j < d; ++j) x[j] -= part * basis[at + j];
-      }
-    const double length = std::sqrt(dot(x.data(), x.data(), d));
-    if (!(length > 0x1p-40 * before)) x.assign(d, 0.0);  // a lattice so flat bounds nothing
-    for (double& coordinate : x) coordinate /= length > 0x1p-40 * before ? length : 1;
-    basis.insert(basis.end(), x.begin(), x.end());
-  };
-  for (std::size_t i = 0; i < set_.rank; ++i)
-    add(std::vector<double>(set_.period.vector(i), set_.period.vector(i) + d));
-  while (basis.size() < d * d) {
-    std::size_t best = 0;
-    double most = -1;
-    for (std::size_t j = 0; j < d; ++j) {
-      double rest = 1;
-      for (std::size_t at = 0; at < basis.size(); at += d) rest -= basis[at + j] * basis[at + j];
-      if (rest > most) {
-        most = rest;
-        best = j;
-      }
-    }
-    std::vector<double> axis(d, 0.0);
-    axis[best] = 1;
-    add(std::move(axis));
-  }
-  free_.assign(basis.begin() + static_cast<std::ptrdiff_t>(set_.rank * d), basis.end());
-  along_.assign(basis.begin(), basis.begin() + static_cast<std::ptrdiff_t>(set_.rank * d));
-  for (std::size_t i = 0; i < set_.rank; ++i) {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (std::size_t row = 0; row < n; ++row) {
-      const double at = dot(lattice_direction(i), set_.row(row), d);
-      low = std::min(low, at);
-      high = std::max(high, at);
-    }
-    along_low_.push_back(low);
-    along_high_.push_back(high);
-  }
-  double size = 0;
-  for (const double largest : set_.largest) size += largest;
-  for (std::size_t i = 0; i < d - set_.rank; ++i) {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    std::uint32_t lowest = 0, highest = 0;
-    for (std::size_t row = 0; row < n; ++row) {
-      const double along = dot(free_direction(i), set_.row(row), d);
-      if (along < low) {
-        low = along;
-        lowest = static_cast<std::uint32_t>(row);
-      }
-      if (along > high) {
-        high = along;
-        highest = static_cast<std::uint32_t>(row);
-      }
-    }
-    low_.push_back(low - 0x1p-45 * size);
-    high_.push_back(high + 0x1p-45 * size);
-    extreme_.push_back(lowest);
-    extreme_.push_back(highest);
-  }
 }
 
 std::uint32_t Images::shift_number(std::span<const std::int32_t> k) {
@@ -171,29 +68,10 @@ void Images::copy_image(const Image& image, double* to) const {
 
 std::vector<Image> Images::frame() {
   std::vector<Image> images;
-  const std::size_t r = set_.rank;
-  if (set_.num_points() == 0 || r == 0) return images;
-  std::vector<std::uint32_t> rows = extreme_;
-  std::sort(rows.begin(), rows.end());
-  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-  std::vector<std::uint32_t> corners;
-  constexpr std::size_t most_cubes = 4;
-  if (r <= most_cubes) {  // Σ ±a_i
-    for (std::size_t signs = 0; signs < std::size_t{1} << r; ++signs) {
-      std::vector<std::int32_t> k(r);
-      for (std::size_t i = 0; i < r; ++i) k[i] = (signs >> i & 1) != 0 ? 1 : -1;
-      corners.push_back(shift_number(k));
-    }
-  } else {  // ±a_i
-    for (std::size_t i = 0; i < r; ++i)
-      for (const std::int32_t sign : {-1, 1}) {
-        std::vector<std::int32_t> k(r, 0);
-        k[i] = sign;
-        corners.push_back(shift_number(k));
-      }
-  }
-  for (const std::uint32_t row : rows)
-    for (const std::uint32_t corner : corners) images.push_back({row, corner});
+  const std::vector<std::vector<std::int32_t>> shifts = extent_.frame_shifts();
+  for (const Extent::Extreme& extreme : extent_.extremes())
+    for (const std::vector<std::int32_t>& k : shifts)
+      images.push_back({static_cast<std::uint32_t>(extreme.row), shift_number(k)});
   return images;
 }
 

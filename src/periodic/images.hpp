@@ -3,6 +3,7 @@
 // known, because a triangulation has them, and with which ones it begins.
 #pragma once
 
+#include "periodic/extent.hpp"
 #include "periodic/periodic_set.hpp"
 #include "tiles/page_tree.hpp"
 #include "tiles/pages.hpp"
@@ -50,9 +51,7 @@ class Images {
   const tiles::PageTable& table() const { return table_; }
   const tiles::PageTree& tree() const { return *tree_; }
   tiles::PageSource& source() { return source_; }
-  double largest_weight() const { return largest_weight_; }
-  /// A bound of |w| of all points.
-  double weight_range() const { return weight_range_; }
+  const Extent& extent() const { return extent_; }
 
   /// The number of a shift; 0 is that of k = 0. Shifts are made on first use and stay where they are.
   std::uint32_t shift_number(std::span<const std::int32_t> k);
@@ -66,9 +65,7 @@ class Images {
   }
 
   /// Far images around the box, so that every point of the set is in the interior of the convex hull of all
-  /// that is along the lattice: about a heaviest point, and the extreme ones in free directions. Those about
-  /// a point in the middle are around the images that are found later, too. An image outside of the box of
-  /// all earlier ones is dear: all functionals are computed anew.
+  /// that is along the lattice: those of Extent::extremes().
   std::vector<Image> frame();
   /// The images of a page that are nearer to the box than about `width` times the distance of neighbors on
   /// that page. They are known from here on.
@@ -76,21 +73,6 @@ class Images {
   /// All images with f_i in (−known_below(i), 1 + known_above(i)) for all i are known or points of the set.
   double known_below(std::size_t i) const { return known_below_[i]; }
   double known_above(std::size_t i) const { return known_above_[i]; }
-  /// What fractions of points of the set are off by at most.
-  double fraction_slack(std::size_t i) const { return fraction_slack_[i]; }
-
-  /// Orthonormal directions that span the lattice, nearly: direction i that of a_0 … a_i, and zero where they
-  /// are too flat for it. And the range of the points of the set along each.
-  const double* lattice_direction(std::size_t i) const { return along_.data() + i * set_.dimension; }
-  double lattice_low(std::size_t i) const { return along_low_[i]; }
-  double lattice_high(std::size_t i) const { return along_high_[i]; }
-
-  /// Orthonormal directions that are orthogonal to the lattice, nearly, and the range of the points of the
-  /// set along each, or a little more.
-  std::size_t num_free_directions() const { return low_.size(); }
-  const double* free_direction(std::size_t i) const { return free_.data() + i * set_.dimension; }
-  double low(std::size_t i) const { return low_[i]; }
-  double high(std::size_t i) const { return high_[i]; }
 
  private:
   class Source final : public tiles::PageSource {
@@ -100,21 +82,16 @@ class Images {
   };
 
   void make_pages();
-  void find_directions();
   void take_layer_of(std::size_t page, double width, std::vector<Image>& images);
 
   const PeriodicSet& set_;
   tiles::PageTable table_;
   Source source_;
   std::unique_ptr<tiles::PageTree> tree_;
-  double largest_weight_ = 0, weight_range_ = 0;
+  Extent extent_;
   std::vector<std::unique_ptr<Shift>> shifts_;
   std::unordered_map<std::uint64_t, std::uint32_t> number_of_code_;
-  std::vector<double> known_below_, known_above_, fraction_slack_;
-  std::vector<double> along_, along_low_, along_high_;
-  std::vector<double> free_, low_, high_;
-  std::vector<std::uint32_t>
-      extreme_;  // rows: one in the middle, a heaviest one, and two for each free direction
+  std::vector<double> known_below_, known_above_;
 };
 
 }  // namespace delone::periodic

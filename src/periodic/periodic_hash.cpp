@@ -48,8 +48,10 @@ Integer floor_quotient(const Integer& a, const Integer& b) {
   return quotient;
 }
 
+}  // namespace
+
 /// Rows in echelon form with positive pivots, and what is above a pivot at least 0 and below it.
-class HermiteForm {
+class PeriodicTags::HermiteForm {
  public:
   HermiteForm(std::vector<Integer> rows, std::size_t rank, std::size_t width)
       : rows_(std::move(rows)), width_(width) {
@@ -104,7 +106,54 @@ class HermiteForm {
   std::vector<std::size_t> pivots_;
 };
 
-}  // namespace
+PeriodicTags::PeriodicTags(const PeriodicSet& set, int grid)
+    : set_(set), grid_(grid == no_grid ? 0 : grid), x_(set.dimension) {
+  std::vector<Integer> rows;
+  for (std::size_t i = 0; i < set.rank; ++i)
+    for (std::size_t j = 0; j < set.dimension; ++j)
+      rows.push_back(kernel::scaled_integer(set.period.vector(i)[j], grid_));
+  form_ = std::make_unique<const HermiteForm>(std::move(rows), set.rank, set.dimension);
+}
+
+PeriodicTags::~PeriodicTags() = default;
+
+PointTag PeriodicTags::of_lattice() const {
+  Tagger tagger;
+  tagger.add(static_cast<std::uint64_t>(set_.rank));
+  tagger.add(static_cast<std::uint64_t>(std::int64_t{grid_} + set_.scale));
+  tagger.add(std::bit_cast<std::uint64_t>(set_.unit));
+  for (const Integer& one : form_->rows()) tagger.add(one);
+  return tagger.tag();
+}
+
+PointTag PeriodicTags::of_vertex(const double* point, bool with_weight) {
+  for (std::size_t j = 0; j < x_.size(); ++j) x_[j] = kernel::scaled_integer(point[j], grid_);
+  form_->reduce(x_);
+  Tagger tagger;
+  for (const Integer& one : x_) tagger.add(one);
+  if (with_weight)
+    tagger.add(std::bit_cast<std::uint64_t>(std::ldexp(point[set_.dimension], 2 * set_.scale) + 0.0));
+  return tagger.tag();
+}
+
+PointTag PeriodicTags::of_difference(std::span<const std::uint64_t> units) const {
+  Tagger tagger;
+  for (const std::uint64_t one : units) tagger.add(one);
+  return tagger.tag();
+}
+
+int finest_bit(const double* x, std::size_t d) {
+  int grid = no_grid;
+  for (std::size_t j = 0; j < d; ++j) grid = std::min(grid, kernel::trailing_exponent(x[j]));
+  return grid;
+}
+
+int finest_bit(const Period& period) {
+  int grid = no_grid;
+  for (std::size_t i = 0; i < period.rank(); ++i)
+    grid = std::min(grid, finest_bit(period.vector(i), period.dimension()));
+  return grid;
+}
 
 CanonicalHash hash_of(const GhostTriangulation& ghosts, const PeriodicSet& set) {
   const Complex complex = ghosts.triangulation().complex();
@@ -113,44 +162,22 @@ CanonicalHash hash_of(const GhostTriangulation& ghosts, const PeriodicSet& set) 
   std::vector<VertexId> own;
   for (const VertexId v : complex.finite_vertices())
     if (ghosts.is_own(v)) own.push_back(v);
-  int grid = std::numeric_limits<int>::max();
-  for (std::size_t i = 0; i < set.rank; ++i)
-    for (std::size_t j = 0; j < d; ++j)
-      grid = std::min(grid, kernel::trailing_exponent(set.period.vector(i)[j]));
-  for (const VertexId v : own)
-    for (std::size_t j = 0; j < d; ++j)
-      grid = std::min(grid, kernel::trailing_exponent(points.point(index(v))[j]));
-  if (grid == std::numeric_limits<int>::max()) grid = 0;
-
-  std::vector<Integer> rows;
-  for (std::size_t i = 0; i < set.rank; ++i)
-    for (std::size_t j = 0; j < d; ++j) rows.push_back(kernel::scaled_integer(set.period.vector(i)[j], grid));
-  const HermiteForm form(std::move(rows), set.rank, d);
-  Tagger of_lattice;
-  of_lattice.add(static_cast<std::uint64_t>(set.rank));
-  of_lattice.add(static_cast<std::uint64_t>(std::int64_t{grid} + set.scale));
-  of_lattice.add(std::bit_cast<std::uint64_t>(set.unit));
-  for (const Integer& one : form.rows()) of_lattice.add(one);
-
+  int grid = finest_bit(set.period);
+  for (const VertexId v : own) grid = std::min(grid, finest_bit(points.point(index(v)), d));
+  PeriodicTags tagger(set, grid);
   complex::HashAccumulator hash;
-  hash.add_vertex(of_lattice.tag());
+  hash.add_vertex(tagger.of_lattice());
   const bool with_weights = set.weighted && std::any_of(own.begin(), own.end(), [&](VertexId v) {
                               return points.point(index(v))[d] != points.point(index(own.front()))[d];
                             });
   std::vector<PointTag> tags(complex.num_vertex_slots());
-  std::vector<Integer> x(d);
   internal::QuickRounds round;
   for (const VertexId v : own) {
     round();
-    const double* const point = points.point(index(v));
-    for (std::size_t j = 0; j < d; ++j) x[j] = kernel::scaled_integer(point[j], grid);
-    form.reduce(x);
-    Tagger tagger;
-    for (const Integer& one : x) tagger.add(one);
-    if (with_weights) tagger.add(std::bit_cast<std::uint64_t>(std::ldexp(point[d], 2 * set.scale) + 0.0));
-    hash.add_vertex(tags[index(v)] = tagger.tag());
+    hash.add_vertex(tags[index(v)] = tagger.of_vertex(points.point(index(v)), with_weights));
   }
   const CanonicalCells canonical = find_canonical_cells(ghosts);
+  std::vector<std::uint64_t> units(d);
   for (std::size_t number = 0; number < canonical.cells.size(); ++number) {
     round();
     const VertexId smallest = canonical.smallest[number];
@@ -158,12 +185,8 @@ CanonicalHash hash_of(const GhostTriangulation& ghosts, const PeriodicSet& set) 
     PointTag sum = tags[index(smallest)];
     for (const VertexId v : complex.vertices(canonical.cells[number])) {
       const double* const to = points.point(index(v));
-      Tagger tagger;  // coordinates are below 2^53 units of the grid of the set, and that of the hash is no
-                      // finer
-      for (std::size_t j = 0; j < d; ++j)
-        tagger.add(static_cast<std::uint64_t>(static_cast<std::int64_t>(std::ldexp(to[j], -grid)) -
-                                              static_cast<std::int64_t>(std::ldexp(from[j], -grid))));
-      sum += tagger.tag();
+      for (std::size_t j = 0; j < d; ++j) units[j] = tagger.units(to[j]) - tagger.units(from[j]);
+      sum += tagger.of_difference(units);
     }
     hash.add_cell(sum);
   }

@@ -24,6 +24,13 @@ constexpr int most_of_sums = 1 << 29;
   throw Error(Errc::invalid_argument, message, std::move(rows));
 }
 
+[[noreturn]] void refuse_far(std::size_t row) {
+  refuse("point " + std::to_string(row) + " is more than 2^29 periods away", {row});
+}
+[[noreturn]] void refuse_heavy(std::size_t row) {
+  refuse("the weight of point " + std::to_string(row) + " is too large for the box", {row});
+}
+
 std::vector<double> nearest_doubles(std::span<const Integer> integers, int grid) {
   std::vector<double> numbers;
   for (const Integer& one : integers) numbers.push_back(kernel::nearest_double(one, 1, grid));
@@ -32,7 +39,11 @@ std::vector<double> nearest_doubles(std::span<const Integer> integers, int grid)
 
 class SetMaker {
  public:
-  explicit SetMaker(const SetInput& input) : input_(input), d_(input.dimension) {}
+  using EachPoint = std::function<void(const std::function<void(const double*)>&)>;
+
+  /// Without `each_point`: the points of the input.
+  explicit SetMaker(const SetInput& input, EachPoint each_point = {})
+      : input_(input), each_point_(std::move(each_point)), d_(input.dimension) {}
 
   PeriodicSet make() {
     check();
@@ -104,6 +115,11 @@ class SetMaker {
 
   void note_displacement(double moved) { set_.displacement = std::max(set_.displacement, moved); }
 
+  void each_point(const std::function<void(const double*)>& visit) const {
+    if (each_point_) return each_point_(visit);
+    for (std::size_t at = 0; at < input_.points.size(); at += d_) visit(&input_.points[at]);
+  }
+
   /// From the lattice in units of 2^exponent, nearly: what coordinates of images are below, and the grid.
   void choose_grid(const Period& period, int exponent) {
     double codes = 1;
@@ -115,15 +131,15 @@ class SetMaker {
         set_.largest[j] += (period.reach(i) + 1) * std::abs(period.vector(i)[j]);
     if (r_ < d_) {  // the parts of points that are orthogonal to the lattice
       std::vector<double> free(d_, 0.0), x(d_);
-      for (std::size_t at = 0; at < input_.points.size(); at += d_) {
+      each_point([&](const double* point) {
         for (std::size_t j = 0; j < d_; ++j)
-          x[j] = std::ldexp(number_of(input_.points[at + j], "a coordinate"), -exponent);
+          x[j] = std::ldexp(number_of(point[j], "a coordinate"), -exponent);
         for (std::size_t j = 0; j < d_; ++j) {
           double part = x[j];
           for (std::size_t i = 0; i < r_; ++i) part -= period.fraction(i, x.data()) * period.vector(i)[j];
           free[j] = std::max(free[j], std::abs(part));
         }
-      }
+      });
       for (std::size_t j = 0; j < d_; ++j) set_.largest[j] += free[j] * (1 + 0x1p-20);
     }
     const double bound = *std::max_element(set_.largest.begin(), set_.largest.end());
@@ -184,8 +200,7 @@ class SetMaker {
       if (set_.displacement > 0) displaced.push_back(row);
       set_.displacement = std::max(set_.displacement, before);
       std::int32_t* const wraps = set_.wraps.data() + row * r_;
-      if (!set_.period.wrap(grid_ - set_.scale, x.data(), wraps))
-        refuse("point " + std::to_string(row) + " is more than 2^29 periods away", {row});
+      if (!set_.period.wrap(grid_ - set_.scale, x.data(), wraps)) refuse_far(row);
       if (std::any_of(wraps, wraps + r_, [](std::int32_t k) { return k != 0; })) outside.push_back(row);
       for (const double coordinate : x) set_.rows.push_back(coordinate + 0.0);
       if (set_.weighted) set_.rows.push_back(weight(row));
@@ -205,12 +220,12 @@ class SetMaker {
   double weight(std::size_t row) const {
     const double w = input_.weights[row];
     const double scaled = input_.unit > 0 ? w / input_.unit / input_.unit : std::ldexp(w, -2 * set_.scale);
-    if (!std::isfinite(scaled))
-      refuse("the weight of point " + std::to_string(row) + " is too large for the box", {row});
+    if (!std::isfinite(scaled)) refuse_heavy(row);
     return scaled + 0.0;
   }
 
   const SetInput& input_;
+  const EachPoint each_point_;
   const std::size_t d_;
   std::size_t r_ = 0;
   int grid_ = 0;
@@ -250,6 +265,23 @@ double PeriodicSet::snapped_query(double x) const {
   return std::abs(steps) < 0x1p53 ? std::ldexp(std::nearbyint(steps), query_grid) : y;
 }
 
+void PeriodicSet::place(std::size_t row, double* point) const {
+  for (std::size_t j = 0; j < dimension; ++j)
+    point[j] = std::ldexp(std::nearbyint(std::ldexp(point[j], -grid)), grid - scale);
+  std::vector<std::int32_t> wraps(rank, 0);
+  if (!period.wrap(grid - scale, point, wraps.data())) refuse_far(row);
+  for (std::size_t j = 0; j < dimension; ++j) point[j] += 0.0;
+  if (!weighted) return;
+  point[dimension] = std::ldexp(point[dimension], -2 * scale) + 0.0;
+  if (!std::isfinite(point[dimension])) refuse_heavy(row);
+}
+
 PeriodicSet make_periodic_set(const SetInput& input) { return SetMaker(input).make(); }
+
+PeriodicSet make_set_of_stream(
+    const SetInput& input,
+    const std::function<void(const std::function<void(const double*)>& visit)>& each_point) {
+  return SetMaker(input, each_point).make();
+}
 
 }  // namespace delone::periodic

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -58,6 +59,9 @@ struct PeriodicSet {
   double snapped_query(double x) const;
   /// The points, n×d, where they were given, on the grid, in numbers of the caller.
   std::vector<double> given_points(std::span<const double> given) const;
+  /// Moves a point of the caller onto the grid and into the box: d coordinates, and the weight if there are
+  /// weights. REQUIRES that there is no unit, and finite numbers. Throws invalid_argument with the row.
+  void place(std::size_t row, double* point) const;
   /// Σ k_i a_i in terms of the caller's vectors, |k_i| < 2^32. Throws Errc::unsupported beyond 32 bits.
   void to_given_basis(std::span<const std::int64_t> k, std::int32_t* given) const;
 };
@@ -66,5 +70,12 @@ struct PeriodicSet {
 /// weights; invalid_argument for dependent, too flat or too skewed lattice vectors, and for what the options
 /// refuse.
 PeriodicSet make_periodic_set(const SetInput& input);
+
+/// A set whose points are placed one after the other, so that it has no rows: `input` has none either.
+/// each_point(visit) calls visit(x) with the d coordinates of each point; it is called if the lattice has
+/// less than d vectors. Throws as make_periodic_set().
+PeriodicSet make_set_of_stream(
+    const SetInput& input,
+    const std::function<void(const std::function<void(const double*)>& visit)>& each_point);
 
 }  // namespace delone::periodic

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A tile whose questions are all answered becomes its part of the triangulation: the cells whose
-// lexicographically smallest vertex is its own.
+// lexicographically smallest vertex is its own. In a periodic set these are one of each class of translates,
+// as a translation keeps the order of points.
 #include "base/atomic_ref.hpp"
 #include "base/parallel_parts.hpp"
 #include "tiles/tile_triangulation.hpp"
@@ -25,11 +26,15 @@ constexpr std::int32_t unknown = -2;
 class PartMaker {
  public:
   PartMaker(const Triangulation& triangulation, const std::vector<std::uint8_t>& is_own,
-            const std::vector<std::int64_t>& row_of, unsigned threads)
+            const std::vector<std::int64_t>& row_of, const std::vector<std::uint32_t>& shift_of,
+            const Surroundings& surroundings, unsigned threads)
       : complex_(triangulation.complex()),
         points_(triangulation::StoredPoints::of(triangulation)),
         is_own_(is_own),
         row_of_(row_of),
+        shift_of_(shift_of),
+        surroundings_(surroundings),
+        r_(surroundings.rank()),
         threads_(threads),
         d_(static_cast<std::size_t>(points_.ambient)),
         corners_(static_cast<std::size_t>(complex_.affine_dimension() + 1)),
@@ -41,11 +46,15 @@ class PartMaker {
     TileData& data = result.data;
     data.dimension = points_.ambient;
     data.affine_dimension = complex_.affine_dimension();
+    data.rank = static_cast<int>(r_);
     make_tags();
     add_vertices(result);
     choose_cells(result);
     number_cells();
-    number_points(data);
+    if (r_ == 0)
+      number_points(data);
+    else
+      number_periodic_points(data);
     write_cells(data);
     find_seams(result);
     return result;
@@ -138,16 +147,46 @@ class PartMaker {
     number_of_vertex_.resize(is_used_.size(), -1);
     for (std::size_t v = 1; v < is_used_.size(); ++v) {
       if (is_used_[v] == 0) continue;
-      number_of_vertex_[v] = static_cast<std::int32_t>(data.rows.size());
-      data.rows.push_back(row_of_[v]);
-      const double* const p = points_.point(static_cast<Index>(v));
-      data.points.insert(data.points.end(), p, p + d_);
-      if (points_.weighted()) data.weights.push_back(p[d_]);
+      number_of_vertex_[v] = add_point(data, v);
     }
+  }
+  /// The same in the box of the lattice: first all vertices of the tile, then those of others, one for all
+  /// translates of a row.
+  void number_periodic_points(TileData& data) {
+    number_of_vertex_.resize(is_used_.size(), -1);
+    std::vector<std::pair<std::int64_t, std::int32_t>> own;    // row, number
+    std::vector<std::pair<std::int64_t, std::size_t>> others;  // row, vertex
+    for (std::size_t v = 1; v < is_used_.size(); ++v) {
+      if (v < is_own_.size() && is_own_[v] != 0 && is_vertex(v))
+        own.emplace_back(row_of_[v], number_of_vertex_[v] = add_point(data, v));
+      else if (is_used_[v] != 0)
+        others.emplace_back(row_of_[v], v);
+    }
+    std::sort(own.begin(), own.end());
+    std::sort(others.begin(), others.end());
+    for (std::size_t i = 0; i < others.size(); ++i) {
+      const auto& [row, v] = others[i];
+      const auto found = std::lower_bound(own.begin(), own.end(), std::pair(row, std::int32_t{-1}));
+      number_of_vertex_[v] = found != own.end() && found->first == row ? found->second
+                             : i > 0 && others[i - 1].first == row ? number_of_vertex_[others[i - 1].second]
+                                                                   : add_point(data, v);
+    }
+  }
+  std::int32_t add_point(TileData& data, std::size_t v) const {
+    const double* const p = points_.point(static_cast<Index>(v));
+    data.rows.push_back(row_of_[v]);
+    data.points.insert(data.points.end(), p, p + d_);
+    if (r_ > 0) {  // exact, on the grid of the set
+      const std::span<const double> by = surroundings_.translation(shift_of_[v]);
+      for (std::size_t j = 0; j < d_; ++j) data.points[data.points.size() - d_ + j] -= by[j];
+    }
+    if (points_.weighted()) data.weights.push_back(p[d_]);
+    return static_cast<std::int32_t>(data.rows.size() - 1);
   }
   void write_cells(TileData& data) const {
     data.cells.resize(numbers_.size() * corners_);
     data.neighbors.resize(data.cells.size());
+    data.cell_offsets.resize(data.cells.size() * r_);
     internal::for_parts(threads_, complex_.num_cell_slots(), slots_per_part,
                         [&](std::size_t first, std::size_t last, const internal::StopPoint& stop) {
                           stop();
@@ -160,6 +199,10 @@ class PartMaker {
                             std::size_t i = 0;
                             for (const VertexId v : complex_.vertices(cell)) {
                               data.cells[at] = number_of_vertex_[index(v)];
+                              if (r_ > 0)
+                                std::ranges::copy(
+                                    surroundings_.offset(shift_of_[index(v)]),
+                                    data.cell_offsets.begin() + static_cast<std::ptrdiff_t>(at * r_));
                               data.neighbors[at++] = neighbor_number(neighbors[i++]);
                             }
                           }
@@ -186,6 +229,9 @@ class PartMaker {
   const sites::VertexPoints& points_;
   const std::vector<std::uint8_t>& is_own_;
   const std::vector<std::int64_t>& row_of_;
+  const std::vector<std::uint32_t>& shift_of_;  // if the set is periodic
+  const Surroundings& surroundings_;
+  const std::size_t r_;  // the vectors of the lattice
   const unsigned threads_;
   const std::size_t d_, corners_;
   std::vector<std::uint8_t> is_chosen_;  // by slot: whether it is a cell of the part
@@ -201,10 +247,11 @@ FinishedTile TileTriangulation::finish() {
   FinishedTile result;
   result.data.dimension = survey_.dimension;
   result.data.affine_dimension = survey_.affine_dimension;
+  result.data.rank = static_cast<int>(surroundings_->rank());
   if (!own_.rows.empty()) {
     if (delaunay_) delaunay_->sort_cells();
     if (regular_) regular_->sort_cells();
-    result = PartMaker(triangulation(), is_own_, row_of_, options_.threads).make();
+    result = PartMaker(triangulation(), is_own_, row_of_, shift_of_, *surroundings_, options_.threads).make();
   }
   result.num_foreign = static_cast<std::int64_t>(num_foreign_);
   result.num_rounds = static_cast<std::int64_t>(num_rounds_);

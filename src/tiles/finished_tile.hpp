@@ -20,11 +20,13 @@ struct Seam {
 };
 
 struct FinishedTile {
-  /// Its seams are empty; neighbors at a seam are −2 − s, s the number in `seams`.
+  /// Its seams are empty, and offsets in terms of the vectors that translations consist of; neighbors at a
+  /// seam are −2 − s, s the number in `seams`.
   TileData data;
   std::vector<Seam> seams;
   /// Of the points of the tile and the cells of the part. With weights: `hash` without them, `weighted_hash`
   /// with them; the whole uses that if weights differ.
+  /// In a periodic set they are left to periodic_part.hpp.
   complex::HashAccumulator hash, weighted_hash;
   std::int64_t num_vertices = 0, num_duplicates = 0, num_hidden = 0, num_hull_facets = 0;
   double least_weight = 0, largest_weight = 0;  ///< of its vertices

@@ -14,7 +14,8 @@ namespace delone::tiles {
 namespace {
 
 constexpr const char* format_name = "delone tiles";
-constexpr std::int64_t version = 1;
+/// Programs that know version 1 alone would take the parts of a periodic set for those of an open one.
+constexpr std::int64_t version = 1, version_of_periodic = 2;
 
 /// Adds up numbers of parts. Throws bad_format for a sum that is not as expected.
 class Sum {
@@ -35,10 +36,11 @@ class Sum {
 void write_tiles_index(const std::string& folder, const TilesIndex& index, const std::string& fingerprint) {
   nlohmann::ordered_json json;
   json["format"] = format_name;
-  json["version"] = version;
+  json["version"] = index.lattice.rank() > 0 ? version_of_periodic : version;
   json["dimension"] = index.dimension;
   json["affine_dimension"] = index.affine_dimension;
   json["weighted"] = index.weighted;
+  if (index.lattice.rank() > 0) json["lattice"] = index.lattice.vectors;
   json["num_points"] = index.num_points;
   json["num_vertices"] = index.num_vertices;
   json["num_duplicates"] = index.num_duplicates;
@@ -68,11 +70,12 @@ TilesIndex read_tiles_index(const std::string& folder, std::string& fingerprint)
   return io::guarded(name, [&] {
     const nlohmann::json json = read_json(path);
     const JsonMembers members(json, name);
-    members.require_format(format_name, version, "an index of tiles");
+    members.require_format(format_name, version_of_periodic, "an index of tiles");
     TilesIndex index;
     index.dimension = static_cast<int>(members.number("dimension", 1, internal::largest_dimension));
     index.affine_dimension = static_cast<int>(members.number("affine_dimension", -1, index.dimension));
     index.weighted = members.flag("weighted");
+    index.lattice = members.lattice(index.dimension);
     index.num_points = members.number("num_points", 0, largest_count);
     index.num_vertices = members.number("num_vertices", 0, index.num_points);
     index.num_duplicates = members.number("num_duplicates", 0, index.num_points);

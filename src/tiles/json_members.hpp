@@ -9,6 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <delone/periodic.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -25,13 +27,13 @@ class JsonMembers {
     if (!object_.is_object()) io::fail(Errc::bad_format, "{}: expected a JSON object", name_);
   }
 
-  /// Throws bad_format unless `format` is `expected`, and unsupported for another version. `what`: as in "an
+  /// Throws bad_format unless `format` is `expected`, and unsupported for a later version. `what`: as in "an
   /// index of tiles".
   void require_format(const char* expected, std::int64_t version, const char* what) const {
     if (const std::string found = text("format"); found != expected)
       io::fail(Errc::bad_format, "{}: not {}: its format is {}", name_, what, messages::in_quotes(found));
     if (const std::int64_t found = number("version", 1, std::numeric_limits<std::int64_t>::max());
-        found != version)
+        found > version)
       io::fail(Errc::unsupported, "{}: version {} of tiles; this program knows version {}", name_, found,
                version);
   }
@@ -77,6 +79,20 @@ class JsonMembers {
     const nlohmann::json& value = find(member);
     if (!value.is_array()) refuse(member, "an array", value);
     return value;
+  }
+  /// The lattice of a periodic set in R^dimension; none if there is no such member.
+  Lattice lattice(int dimension) const {
+    Lattice lattice{dimension, {}};
+    if (!object_.contains("lattice")) return lattice;
+    const nlohmann::json& numbers = array("lattice");
+    const auto d = static_cast<std::size_t>(dimension);
+    if (numbers.empty() || numbers.size() % d != 0 || numbers.size() > d * d)
+      io::fail(Errc::bad_format, "{}: lattice: {} numbers are no vectors of R^{}", name_, numbers.size(), d);
+    for (const nlohmann::json& number : numbers) {
+      if (!number.is_number()) refuse("lattice", "numbers", number);
+      lattice.vectors.push_back(number.get<double>());
+    }
+    return lattice;
   }
   const std::string& name() const { return name_; }
 

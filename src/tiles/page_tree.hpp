@@ -54,12 +54,14 @@ class PageTree {
 /// Which points of other tiles a tile has inserted: those are never answers.
 class KnownPoints {
  public:
-  explicit KnownPoints(std::size_t num_pages) : place_of_page_(num_pages, none) {}
+  explicit KnownPoints(std::size_t num_pages) : num_pages_(num_pages) {}
   bool contains(std::size_t page, std::size_t slot) const {
+    if (place_of_page_.empty()) return false;
     const std::uint32_t place = place_of_page_[page];
     return place != none && bits_[place][slot];
   }
   void add(std::size_t page, std::size_t slot, std::size_t page_size) {
+    if (place_of_page_.empty()) place_of_page_.assign(num_pages_, none);
     std::uint32_t& place = place_of_page_[page];
     if (place == none) {
       place = static_cast<std::uint32_t>(bits_.size());
@@ -70,7 +72,8 @@ class KnownPoints {
 
  private:
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> place_of_page_;
+  std::size_t num_pages_;
+  std::vector<std::uint32_t> place_of_page_;  // none before the first point
   std::vector<std::vector<bool>> bits_;
 };
 

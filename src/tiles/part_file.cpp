@@ -65,6 +65,18 @@ class PartReader {
                io::shape_text(array.shape));
     return items;
   }
+  /// m×(k+1)·r numbers, and r.
+  std::vector<std::int32_t> read_offsets(const char* member, std::size_t cells, std::size_t corners,
+                                         int& rank) const {
+    const io::NpyArray array = parse(member);
+    std::vector<std::int32_t> items = npy_items<std::int32_t>(array, 2, about(member));
+    const std::size_t r = array.shape[1] / corners;
+    if (array.shape[0] != cells || array.shape[1] % corners != 0 || r < 1 || r > internal::largest_dimension)
+      io::fail(Errc::bad_format, "{}: expected offsets of {} cells of {} vertices, found shape {}",
+               about(member), cells, corners, io::shape_text(array.shape));
+    rank = static_cast<int>(r);
+    return items;
+  }
   std::int64_t number(const char* member, std::int64_t least, std::int64_t largest) const {
     const std::vector<std::int64_t> items = npy_items<std::int64_t>(parse(member), 0, about(member));
     if (items[0] < least || items[0] > largest)
@@ -166,6 +178,8 @@ io::FileContent write_part(const std::string& folder, std::size_t number, const 
     writer.add("points", data.points, {v, d});
     if (!data.weights.empty()) writer.add("weights", data.weights, {v});
     writer.add("cells", data.cells, {m, corners});
+    if (data.rank > 0)
+      writer.add("cell_offsets", data.cell_offsets, {m, corners * static_cast<std::size_t>(data.rank)});
     writer.add("neighbors", data.neighbors, {m, corners});
     writer.add("own_rows", data.own_rows, {data.own_rows.size()});
     writer.add("vertex_of_row", data.vertex_of_row, {data.own_rows.size()});
@@ -175,14 +189,15 @@ io::FileContent write_part(const std::string& folder, std::size_t number, const 
 }
 
 io::FileContent write_seams(const std::string& folder, std::size_t number,
-                            std::span<const std::int64_t> seams,
+                            std::span<const std::int64_t> seams, std::size_t rank,
                             const std::optional<io::FileContent>& expected) {
   const std::string path = path_in(folder, seams_name(number));
   return io::guarded(io::output_name(path), [&] {
     io::AtomicFile file(path);
     file.track_content();
     std::string storage;
-    file.write(io::npy_header(npy_type<std::int64_t>, {seams.size()}));
+    file.write(rank == 0 ? io::npy_header(npy_type<std::int64_t>, {seams.size()})
+                         : io::npy_header(npy_type<std::int64_t>, {seams.size() / (1 + rank), 1 + rank}));
     file.write(io::little_endian_bytes(seams, storage));
     return commit(file, expected);
   });
@@ -217,6 +232,8 @@ TileData read_part(const std::string& folder, std::size_t number,
       require_range(data.neighbors, std::numeric_limits<std::int32_t>::min(),
                     static_cast<std::int64_t>(data.num_cells()) - 1, corners, part.about("neighbors"));
       require_seams(data.neighbors, corners, part.about("neighbors"));
+      if (part.has("cell_offsets"))
+        data.cell_offsets = part.read_offsets("cell_offsets", data.num_cells(), corners, data.rank);
     }
     data.own_rows = part.read<std::int64_t>("own_rows");
     require_range(data.own_rows, 0, largest_row, 1, part.about("own_rows"));
@@ -236,23 +253,36 @@ std::size_t count_seams(const TileData& data) {
                                                 [](std::int32_t neighbor) { return neighbor < -1; }));
 }
 
-std::vector<std::int64_t> read_seams(const std::string& folder, std::size_t number, std::size_t num_seams,
-                                     std::int64_t first_cell, std::int64_t num_cells_of_part,
-                                     std::int64_t num_cells, const std::optional<io::FileContent>& expected) {
+void read_seams(const std::string& folder, std::size_t number, std::int64_t first_cell,
+                std::int64_t num_cells, TileData& data, const std::optional<io::FileContent>& expected) {
+  const std::size_t num_seams = count_seams(data), r = static_cast<std::size_t>(data.rank);
   const std::string path = path_in(folder, seams_name(number)), name = io::input_name(path);
-  return io::guarded(name, [&] {
+  io::guarded(name, [&] {
     const io::Bytes bytes =
         io::read_all(path, 0, [&](std::string_view opening, bool) { io::require_npy(opening, name); });
     if (expected) require_content(bytes.view(), *expected, name);
-    std::vector<std::int64_t> seams = npy_items<std::int64_t>(io::parse_npy(bytes.view(), name), 1, name);
-    if (seams.size() != num_seams)
-      io::fail(Errc::bad_format, "{}: expected {} numbers, the seams of {}, found {}", name, num_seams,
-               part_name(number), seams.size());
-    require_range(seams, -1, num_cells - 1, 1, name);
-    for (std::size_t s = 0; s < seams.size(); ++s)
-      if (seams[s] >= first_cell && seams[s] < first_cell + num_cells_of_part)
-        io::fail(Errc::bad_format, "{}: row {}: the cell {} is of the part itself", name, s, seams[s]);
-    return seams;
+    const io::NpyArray array = io::parse_npy(bytes.view(), name);
+    std::vector<std::int64_t> numbers = npy_items<std::int64_t>(array, r == 0 ? 1 : 2, name);
+    if (array.shape[0] != num_seams || (r > 0 && array.shape[1] != 1 + r))
+      io::fail(Errc::bad_format, "{}: expected {} numbers, the seams of {}{}, found {}", name, num_seams,
+               part_name(number), r == 0 ? "" : fmt::format(", and {} offsets of each", r),
+               r == 0 ? fmt::format("{}", numbers.size()) : "shape " + io::shape_text(array.shape));
+    if (r > 0) {
+      std::vector<std::int64_t> offsets;
+      for (std::size_t at = 0; at < numbers.size(); ++at)
+        (at % (1 + r) == 0 ? data.seams : offsets).push_back(numbers[at]);
+      require_range(offsets, std::numeric_limits<std::int32_t>::min(),
+                    std::numeric_limits<std::int32_t>::max(), r, name);
+      data.seam_offsets.assign(offsets.begin(), offsets.end());
+    } else {
+      data.seams = std::move(numbers);
+    }
+    require_range(data.seams, -1, num_cells - 1, 1, name);
+    if (r > 0) return;
+    for (std::size_t s = 0; s < num_seams; ++s)
+      if (data.seams[s] >= first_cell &&
+          data.seams[s] < first_cell + static_cast<std::int64_t>(data.num_cells()))
+        io::fail(Errc::bad_format, "{}: row {}: the cell {} is of the part itself", name, s, data.seams[s]);
   });
 }
 
@@ -273,8 +303,11 @@ TileData read_tile_of(const std::string& folder, const TilesIndex& index, std::s
   require_range(data.own_rows, 0, index.num_points - 1, 1, name + ": own_rows");
   require_range(data.vertex_of_row, index.weighted ? -1 : 0, index.num_points - 1, 1,
                 name + ": vertex_of_row");
-  data.seams = read_seams(folder, i, count_seams(data), part.first_cell, part.num_cells, index.num_cells,
-                          content_of_seams(part));
+  if (data.rank == 0) data.rank = index.lattice.rank();  // a part without cells does not say
+  expect("cell_offsets", data.rank, index.lattice.rank());
+  require_size(data.cell_offsets, data.cells.size() * static_cast<std::size_t>(data.rank),
+               name + ": cell_offsets");
+  read_seams(folder, i, part.first_cell, index.num_cells, data, content_of_seams(part));
   return data;
 }
 

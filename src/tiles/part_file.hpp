@@ -40,9 +40,9 @@ inline void set_content_of_seams(TilePart& part, const io::FileContent& content)
 io::FileContent write_part(const std::string& folder, std::size_t number, const TileData& data,
                            const std::optional<io::FileContent>& expected = {});
 
-/// Writes FOLDER/part-0000.seams.npy, in the same way.
+/// Writes FOLDER/part-0000.seams.npy, in the same way: of each seam the cell, and `rank` offsets.
 io::FileContent write_seams(const std::string& folder, std::size_t number,
-                            std::span<const std::int64_t> seams,
+                            std::span<const std::int64_t> seams, std::size_t rank,
                             const std::optional<io::FileContent>& expected = {});
 
 /// The part without its seams. Shapes and ranges of all arrays are right: cells are numbers of points,
@@ -50,11 +50,9 @@ io::FileContent write_seams(const std::string& folder, std::size_t number,
 /// cannot_open, or bad_format with the name of the file and of the array, or if the file is not `expected`.
 TileData read_part(const std::string& folder, std::size_t number,
                    const std::optional<io::FileContent>& expected = {});
-/// The seams of a part that has so many; each is −1 or a cell of another part among `num_cells` in all.
-std::vector<std::int64_t> read_seams(const std::string& folder, std::size_t number, std::size_t num_seams,
-                                     std::int64_t first_cell, std::int64_t num_cells_of_part,
-                                     std::int64_t num_cells,
-                                     const std::optional<io::FileContent>& expected = {});
+/// Adds the seams of a part; each is −1 or a cell among `num_cells` in all, in an open set of another part.
+void read_seams(const std::string& folder, std::size_t number, std::int64_t first_cell,
+                std::int64_t num_cells, TileData& data, const std::optional<io::FileContent>& expected = {});
 
 /// Part i of a finished folder with this index: the part and its seams, which are as the index says.
 TileData read_tile_of(const std::string& folder, const TilesIndex& index, std::size_t i);

@@ -110,7 +110,8 @@ void RepairFolder::make_seams(std::uint64_t memory) {
   }
   match_seams(work_, first_cells(index_), memory, [&](std::size_t t, std::span<const std::int64_t> cells) {
     if (!damage_[t].seams) return;
-    write_seams(folder_, t, cells, content_of_seams(index_.parts[t]));
+    write_seams(folder_, t, cells, static_cast<std::size_t>(index_.lattice.rank()),
+                content_of_seams(index_.parts[t]));
     sync_file(path_in(folder_, seams_name(t)));
   });
 }

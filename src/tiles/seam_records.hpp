@@ -23,12 +23,18 @@
 
 namespace delone::tiles {
 
-// A file of records begins with k and the number of records. A record: the k vertices of the facet as rows of
-// the input, increasing; then tile, cell, index of the opposite vertex, number of the seam.
-inline constexpr std::size_t seam_header_words = 2, seam_other_words = 4;
+// A file of records begins with the length k of a key, the number r of offsets, and the number of records. A
+// record: the key of the facet, which are its vertices as rows of the input, increasing; then tile, cell,
+// index of the opposite vertex, number of the seam.
+//
+// In a periodic set each vertex of the key is a row and r offsets, all vertices translated so that the first
+// one has offset 0. The first is that of the smallest row, and of these that of the smallest offset, in
+// lexicographic order, which translations keep. So translates of a facet have the same key, and others do
+// not. The record ends with the r offsets of the first vertex in the cell.
+inline constexpr std::size_t seam_header_words = 3, seam_other_words = 4;
 
 struct SeamHeader {
-  std::int64_t k = 0, count = 0;
+  std::int64_t k = 0, rank = 0, count = 0;
 };
 
 /// Reads the records of one tile in pieces.
@@ -41,20 +47,20 @@ class SeamReader {
     if (!file_) io::fail(Errc::cannot_open, "{}: {}", io::input_name(path_), io::error_text(errno));
     std::array<std::int64_t, seam_header_words> header{};
     read(header.data(), header.size());
-    header_ = {header[0], header[1]};
+    header_ = {header[0], header[1], header[2]};
     std::error_code error;
     const std::uint64_t size = std::filesystem::file_size(path_, error);
-    const bool fits = header_.k >= 0 && header_.k < (std::int64_t{1} << 31) && header_.count >= 0 &&
-                      header_.count < (std::int64_t{1} << 31) &&
+    const auto is_count = [](std::int64_t number) { return number >= 0 && number < std::int64_t{1} << 31; };
+    const bool fits = is_count(header_.k) && is_count(header_.rank) && is_count(header_.count) &&
                       size == sizeof(std::int64_t) *
                                   (seam_header_words + words() * static_cast<std::uint64_t>(header_.count));
     if (error || !fits)
-      io::fail(Errc::bad_format, "{}: damaged or truncated: {} bytes for {} facets of {} vertices",
+      io::fail(Errc::bad_format, "{}: damaged or truncated: {} bytes for {} facets with keys of {} numbers",
                io::input_name(path_), size, header_.count, header_.k);
   }
 
   const SeamHeader& header() const { return header_; }
-  std::size_t words() const { return static_cast<std::size_t>(header_.k) + seam_other_words; }
+  std::size_t words() const { return static_cast<std::size_t>(header_.k + header_.rank) + seam_other_words; }
 
   /// Calls each(record) for all records.
   template <class Each>
@@ -87,10 +93,12 @@ class SeamReader {
   SeamHeader header_;
 };
 
-/// Pairs equal facets among records: each(a, b) for two records, each(a, a) for one without a partner.
+/// Pairs equal facets among records with keys of k numbers, and offsets: each(a, b) for two records, each(a,
+/// a) for one without a partner.
 template <class Each>
-void match_seam_records(std::span<const std::int64_t> words, std::size_t k, const Each& each) {
-  const std::size_t size = k + seam_other_words;
+void match_seam_records(std::span<const std::int64_t> words, std::size_t k, std::size_t rank,
+                        const Each& each) {
+  const std::size_t size = k + seam_other_words + rank;
   for_equal_records(words, size, k, [&](std::span<const std::size_t> equal) {
     const auto record = [&](std::size_t i) { return words.subspan(equal[i] * size, size); };
     const auto a = record(0);
@@ -104,11 +112,21 @@ void match_seam_records(std::span<const std::int64_t> words, std::size_t k, cons
           "and cell {} of tile {}",
           fmt::join(a.first(k), ", "), a[k + 1], a[k], b[k + 1], b[k], c[k + 1], c[k]);
     }
-    if (a[k] == b[k])
+    if (a[k] == b[k] && rank == 0)
       io::fail(Errc::bad_format, "the seam {{{}}} of tile {} is between its own cells {} and {}",
                fmt::join(a.first(k), ", "), a[k], a[k + 1], b[k + 1]);
     each(a, b);
   });
+}
+
+/// Adds the answer to a record whose facet is that of another one: the cell there, and by how much it is
+/// translated.
+inline void add_answer(std::span<const std::int64_t> record, std::span<const std::int64_t> other,
+                       std::size_t k, std::size_t rank, std::span<const std::int64_t> first_cell,
+                       std::vector<std::int64_t>& answer) {
+  answer.push_back(first_cell[static_cast<std::size_t>(other[k])] + other[k + 1]);
+  for (std::size_t l = k + seam_other_words; l < k + seam_other_words + rank; ++l)
+    answer.push_back(record[l] - other[l]);
 }
 
 }  // namespace delone::tiles

@@ -21,9 +21,10 @@ io::FileContent append_seam_records(const std::string& work, std::size_t tile, c
 std::string seam_records_name(std::size_t tile);
 
 /// Finds the cells across the seams of all tiles, of which tile t has the global cells first_cell[t] …, and
-/// calls write(t, cells) for each. Uses about `memory` bytes, and scratch files in WORK beyond that. Returns
-/// the number of facets without a partner. Throws bad_format if files of WORK are damaged or do not fit
-/// together: three cells with one facet, or two of one tile.
+/// calls write(t, cells) for each, in a periodic set with the offsets of each cell after it. Uses about
+/// `memory` bytes, and scratch files in WORK beyond that. Returns the number of facets without a partner.
+/// Throws bad_format if files of WORK are damaged or do not fit together: three cells with one facet, or two
+/// of one tile.
 std::int64_t match_seams(const std::string& work, std::span<const std::int64_t> first_cell,
                          std::uint64_t memory,
                          const std::function<void(std::size_t, std::span<const std::int64_t>)>& write);

@@ -2,7 +2,6 @@
 // Rounds of insertions and questions.
 #include "tiles/tile_triangulation.hpp"
 
-#include "base/compiled_dimension.hpp"
 #include "base/parallel_parts.hpp"
 #include "base/stopwatch.hpp"
 #include "kernel/predicates.hpp"
@@ -31,7 +30,6 @@ bool is_aligned(const Survey& survey, std::span<const int> axes) {
 }  // namespace
 
 /// The questions of one thread in one round.
-template <int D>
 class TileTriangulation::Asking {
  public:
   explicit Asking(TileTriangulation& tile)
@@ -42,10 +40,8 @@ class TileTriangulation::Asking {
         d_(static_cast<std::size_t>(points_.ambient)),
         k_(axes_.size()),
         finder_(points_.ambient, axes_, is_aligned(tile.survey_, axes_)),
-        question_(d_, points_.weighted()),
-        search_(tile.tree_, tile.source_, tile.known_, tile.tile().first_page, tile.tile().last_page) {
-    question_.set_largest_weight(
-        std::max(std::abs(tile.survey_.lowest_weight), std::abs(tile.survey_.largest_weight)));
+        search_(tile.surroundings_->make_search(
+            std::max(std::abs(tile.survey_.lowest_weight), std::abs(tile.survey_.largest_weight)))) {
     centers_.resize(solve::CenterFinder::block * d_);
     spokes_.reserve(solve::CenterFinder::block);
   }
@@ -79,11 +75,11 @@ class TileTriangulation::Asking {
     ask_gathered();
   }
 
-  std::vector<PointPlace> found;
+  std::vector<ForeignPlace> found;
   std::vector<CellId> waiting;
   std::uint64_t num_questions = 0;
-  std::uint64_t num_pages() const { return search_.num_visited; }
-  std::uint64_t num_exact() const { return search_.num_exact; }
+  std::uint64_t num_pages() const { return search_->num_pages(); }
+  std::uint64_t num_exact() const { return search_->num_exact(); }
 
  private:
   /// Where exact arithmetic decides more points than this, as on a sphere, all points of
@@ -132,24 +128,27 @@ class TileTriangulation::Asking {
       for (std::size_t i = 0; i < spokes_.size(); ++i) {
         const double* const center = centers_.data() + i * d_;
         if (is_within_tile(spokes_[i].own, center)) continue;
-        question_.ask_within_sphere(spokes_[i].own, center);
         const std::span<const double* const> corners(corners_.data() + i * (k_ + 1), k_ + 1);
-        ask(spokes_[i].cell, [&](const double* x) { return is_in_sphere(corners, x); });
-        if (search_.num_exact > most_exact_per_question * num_questions + some_exact) {
+        take(spokes_[i].cell, search_->within_sphere(spokes_[i].own, center, [&](const double* x) {
+          return is_in_sphere(corners, x);
+        }));
+        if (tile_.can_try_all_points() &&
+            num_exact() > most_exact_per_question * num_questions + some_exact) {
           tile_.asks_in_vain_ = true;
           break;
         }
       }
-      tile_.pages_asked_ += search_.num_visited - pages_counted_;
-      pages_counted_ = search_.num_visited;
-      if (tile_.pages_asked_ > tile_.most_pages_asked_) tile_.asks_in_vain_ = true;
+      tile_.pages_asked_ += num_pages() - pages_counted_;
+      pages_counted_ = num_pages();
+      if (tile_.can_try_all_points() && tile_.pages_asked_ > tile_.most_pages_asked_)
+        tile_.asks_in_vain_ = true;
     }
     spokes_.clear();
     corners_.clear();
     weights_.clear();
   }
 
-  /// Whether certainly no point of another tile is inside the sphere, as the tile's box contains it. The
+  /// Whether certainly no foreign point is inside the sphere, as the tile's box contains it. The
   /// radius, and the distance of the center from either side, are off by at most what the center is,
   /// 1.01u Σ|c_j|, and (d + 6)u of their size.
   bool is_within_tile(const double* own, const double* center) const {
@@ -164,7 +163,7 @@ class TileTriangulation::Asking {
     const Tile& tile = tile_.tile();
     for (std::size_t j = 0; j < d_; ++j)
       if (!(center[j] - reach > tile.low[j] && center[j] + reach < tile.high[j])) return false;
-    return true;
+    return tile_.surroundings_->is_within_period(center, reach);
   }
 
   bool is_in_sphere(std::span<const double* const> corners, const double* x) const {
@@ -187,9 +186,10 @@ class TileTriangulation::Asking {
     const double* const inner = point(complex_.vertex(behind, complex_.mirror_index(cell, infinite)));
     if (is_side_of_box(inner)) return;
     const std::vector<double> normal = solve::outward_direction(facet_, inner, d_);
-    question_.ask_beyond_facet(own, normal.data());
     const kernel::Flat flat{points_.ambient, axes_, points_.form};
-    ask(cell, [&](const double* x) { return kernel::hull_side(flat, facet_, inner, x) == Sign::negative; });
+    take(cell, search_->beyond_facet(own, normal.data(), [&](const double* x) {
+      return kernel::hull_side(flat, facet_, inner, x) == Sign::negative;
+    }));
   }
   /// Whether the facet lies in a side of the box of all points: then nothing is beyond it.
   bool is_side_of_box(const double* inner) const {
@@ -202,10 +202,8 @@ class TileTriangulation::Asking {
     return false;
   }
 
-  template <class Exact>
-  void ask(CellId cell, const Exact& is_in_conflict) {
+  void take(CellId cell, const ForeignAnswer& answer) {
     ++num_questions;
-    const Answer answer = search_.find(question_, is_in_conflict);
     if (answer.is_waiting)
       waiting.push_back(cell);
     else if (answer.is_open)
@@ -218,8 +216,7 @@ class TileTriangulation::Asking {
   const std::vector<int> axes_;
   const std::size_t d_, k_;
   solve::CenterFinder finder_;
-  Question<D> question_;
-  PageSearch search_;
+  const std::unique_ptr<ForeignSearch> search_;
   std::uint64_t pages_counted_ = 0;
   std::vector<Spoke> spokes_;
   std::vector<const double*> corners_, facet_;
@@ -228,14 +225,16 @@ class TileTriangulation::Asking {
 };
 
 TileTriangulation::TileTriangulation(const Survey& survey, const PageTree& tree, PageSource& source,
-                                     std::size_t number, TilePoints own, const TileOptions& options)
+                                     std::size_t number, TilePoints own, const TileOptions& options,
+                                     std::unique_ptr<Surroundings> surroundings)
     : survey_(survey),
       tree_(tree),
       source_(source),
       number_(number),
       options_(options),
       own_(std::move(own)),
-      known_(tree.table().num_pages()) {
+      surroundings_(surroundings ? std::move(surroundings)
+                                 : open_surroundings(survey, tree, source, number)) {
   Options how;
   how.threads = options.threads;
   how.progress = options.progress;
@@ -250,12 +249,17 @@ bool TileTriangulation::advance() {
   if (asks_in_vain_) return try_all_points();
   const internal::Stopwatch insertion;
   if (!has_asked_) {
-    // The landmarks settle the affine dimension and the frame, which later rounds would have to change.
+    // These settle the affine dimension and the frame, which later rounds would have to change.
+    const StartingPoints start = surroundings_->starting_points();
     std::vector<double> rows = std::move(own_.points);
     own_.points = {};
-    rows.insert(rows.end(), survey_.landmarks.begin(), survey_.landmarks.end());
+    rows.insert(rows.end(), start.points.begin(), start.points.end());
     rows_ = own_.rows;
-    rows_.insert(rows_.end(), survey_.landmark_rows.begin(), survey_.landmark_rows.end());
+    rows_.insert(rows_.end(), start.rows.begin(), start.rows.end());
+    if (surroundings_->rank() > 0) {
+      shifts_.assign(own_.rows.size(), 0);
+      shifts_.insert(shifts_.end(), start.shifts.begin(), start.shifts.end());
+    }
     insert(std::move(rows));
   } else {
     insert_found();
@@ -304,12 +308,15 @@ void TileTriangulation::enter_vertices() {
   const Index slots = triangulation::StoredPoints::of(triangulation()).last_vertex() + 1;
   is_own_.resize(slots, 0);
   row_of_.resize(slots, -1);
+  if (surroundings_->rank() > 0) shift_of_.resize(slots, 0);
   for (; num_rows_done_ < rows_.size(); ++num_rows_done_) {
     const VertexId v = vertex_of_row[num_rows_done_];
     if (v == invalid_vertex) continue;
     if (num_rows_done_ < own_.rows.size()) is_own_[index(v)] = 1;
     std::int64_t& row = row_of_[index(v)];
-    if (row < 0) row = rows_[num_rows_done_];
+    if (row >= 0) continue;
+    row = rows_[num_rows_done_];
+    if (surroundings_->rank() > 0) shift_of_[index(v)] = shifts_[num_rows_done_];
   }
 }
 
@@ -329,14 +336,18 @@ void TileTriangulation::insert_found() {
   const std::size_t width = tree_.table().row_size();
   std::vector<double> rows;
   rows.reserve(found_.size() * width);
-  for (const PointPlace place : found_) {
-    const auto page = source_.find(place.page);
+  for (const ForeignPlace& place : found_) {
     rows.resize(rows.size() + width);
-    page->copy_point(place.slot, rows.data() + rows.size() - width);
-    rows_.push_back(page->rows[place.slot]);
-    known_.add(place.page, place.slot, page->size());
+    take_found(place, rows.data() + rows.size() - width);
   }
   insert(std::move(rows));
+}
+
+/// A point that is inserted next.
+void TileTriangulation::take_found(const ForeignPlace& place, double* point) {
+  rows_.push_back(surroundings_->copy_point(place, point));
+  if (surroundings_->rank() > 0) shifts_.push_back(place.shift);
+  surroundings_->know(place);
 }
 
 /// The points of found_, in whose order neighbors are near each other.
@@ -346,12 +357,9 @@ void TileTriangulation::insert_one_by_one() {
   std::vector<double> row(tree_.table().row_size());
   const std::span<const double> point(row.data(), d);
   last_cell_ = *triangulation().all_cells().begin();
-  for (const PointPlace place : found_) {
+  for (const ForeignPlace& place : found_) {
     internal::cancellation_point();
-    const auto page = source_.find(place.page);
-    page->copy_point(place.slot, row.data());
-    rows_.push_back(page->rows[place.slot]);
-    known_.add(place.page, place.slot, page->size());
+    take_found(place, row.data());
     const InsertResult result =
         delaunay_ ? delaunay_->insert(point, last_cell_) : regular_->insert(point, row[d], last_cell_);
     // If the point is hidden by another one, nothing has changed.
@@ -387,29 +395,27 @@ void TileTriangulation::ask() {
     effort_.pages += asking.num_pages();
     effort_.exact += asking.num_exact();
   };
-  internal::with_compiled_dimension<1, 5>(static_cast<std::size_t>(survey_.dimension), [&](auto d) {
-    if (!waited.empty()) {
-      Asking<d()> asking(*this);
-      asking.ask_again(waited);
-      collect(asking);
-    }
-    // Few new vertices: their stars. Otherwise all cells are looked through.
-    const std::size_t slots = triangulation().complex().num_cell_slots(),
-                      end = triangulation::StoredPoints::of(triangulation()).last_vertex() + std::size_t{1},
-                      num_new = end - std::min<std::size_t>(first_new_vertex_, end);
-    constexpr std::size_t part_of_slots = 16384, part_of_stars = 256, cells_per_star = 256;
-    const bool has_few = num_new < triangulation().num_all_cells() / cells_per_star;
-    internal::for_parts(options_.threads, has_few ? num_new : slots, has_few ? part_of_stars : part_of_slots,
-                        [&](std::size_t first, std::size_t last, const internal::StopPoint& stop) {
-                          stop();
-                          Asking<d()> asking(*this);
-                          if (has_few)
-                            asking.ask_stars(first_new_vertex_ + first, first_new_vertex_ + last);
-                          else
-                            asking.ask_slots(first, last);
-                          collect(asking);
-                        });
-  });
+  if (!waited.empty()) {
+    Asking asking(*this);
+    asking.ask_again(waited);
+    collect(asking);
+  }
+  // Few new vertices: their stars. Otherwise all cells are looked through.
+  const std::size_t slots = triangulation().complex().num_cell_slots(),
+                    end = triangulation::StoredPoints::of(triangulation()).last_vertex() + std::size_t{1},
+                    num_new = end - std::min<std::size_t>(first_new_vertex_, end);
+  constexpr std::size_t part_of_slots = 16384, part_of_stars = 256, cells_per_star = 256;
+  const bool has_few = num_new < triangulation().num_all_cells() / cells_per_star;
+  internal::for_parts(options_.threads, has_few ? num_new : slots, has_few ? part_of_stars : part_of_slots,
+                      [&](std::size_t first, std::size_t last, const internal::StopPoint& stop) {
+                        stop();
+                        Asking asking(*this);
+                        if (has_few)
+                          asking.ask_stars(first_new_vertex_ + first, first_new_vertex_ + last);
+                        else
+                          asking.ask_slots(first, last);
+                        collect(asking);
+                      });
   std::sort(found_.begin(), found_.end());
   found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
 }
@@ -418,7 +424,8 @@ std::size_t TileTriangulation::bytes() const {
   const auto& points = triangulation::StoredPoints::of(triangulation());
   return triangulation().statistics().cell_bytes + points.coordinates.capacity() * sizeof(double) +
          rows_.capacity() * sizeof(std::int64_t) + is_own_.capacity() +
-         row_of_.capacity() * sizeof(std::int64_t);
+         row_of_.capacity() * sizeof(std::int64_t) +
+         (shifts_.capacity() + shift_of_.capacity()) * sizeof(std::uint32_t);
 }
 
 }  // namespace delone::tiles

@@ -10,6 +10,7 @@
 
 #include "tiles/finished_tile.hpp"
 #include "tiles/page_tree.hpp"
+#include "tiles/surroundings.hpp"
 #include "tiles/tile_points.hpp"
 #include "triangulation/triangulation_impl.hpp"
 
@@ -46,9 +47,11 @@ struct TileEffort {
 
 class TileTriangulation {
  public:
-  /// `number`: of the tile in the table. All references outlive the object.
+  /// `number`: of the tile in the table. All references outlive the object. Without `surroundings`: those of
+  /// an open set.
   TileTriangulation(const Survey& survey, const PageTree& tree, PageSource& source, std::size_t number,
-                    TilePoints own, const TileOptions& options);
+                    TilePoints own, const TileOptions& options,
+                    std::unique_ptr<Surroundings> surroundings = nullptr);
 
   /// Inserts what the last round has found, and asks for all cells that are new. Returns whether there is
   /// more to do: points to insert, or pages to wait for.
@@ -63,7 +66,6 @@ class TileTriangulation {
   std::size_t bytes() const;
 
  private:
-  template <int D>
   class Asking;
 
   const Triangulation& triangulation() const {
@@ -74,6 +76,9 @@ class TileTriangulation {
   void enter_vertices();
   void insert_found();
   void insert_one_by_one();
+  void take_found(const ForeignPlace& place, double* point);
+  /// Where questions take too long. Translates are too many for it.
+  bool can_try_all_points() const { return surroundings_->rank() == 0; }
   void ask();
   std::vector<std::uint32_t> pages_by_distance() const;
   bool try_all_points();
@@ -88,14 +93,16 @@ class TileTriangulation {
   std::optional<Delaunay<>> delaunay_;
   std::optional<Regular<>> regular_;
   TilePoints own_;
-  std::vector<std::int64_t> rows_;    // of all points that were inserted, in that order
-  std::vector<std::uint8_t> is_own_;  // by vertex id
-  std::vector<std::int64_t> row_of_;  // by vertex id
-  std::size_t num_rows_done_ = 0;     // rows whose vertices are entered above
-  Index first_new_vertex_ = 1;        // of the last insertion
-  KnownPoints known_;
-  std::vector<PointPlace> found_;  // to be inserted next
-  std::vector<CellId> waiting_;    // cells whose questions wait for pages
+  std::vector<std::int64_t> rows_;       // of all points that were inserted, in that order
+  std::vector<std::uint8_t> is_own_;     // by vertex id
+  std::vector<std::int64_t> row_of_;     // by vertex id
+  std::vector<std::uint32_t> shifts_;    // of all points that were inserted, if the set is periodic
+  std::vector<std::uint32_t> shift_of_;  // by vertex id, the same
+  std::size_t num_rows_done_ = 0;        // rows whose vertices are entered above
+  Index first_new_vertex_ = 1;           // of the last insertion
+  std::unique_ptr<Surroundings> surroundings_;
+  std::vector<ForeignPlace> found_;  // to be inserted next
+  std::vector<CellId> waiting_;      // cells whose questions wait for pages
   std::size_t num_foreign_ = 0, num_rounds_ = 0;
   bool has_asked_ = false;
   std::atomic<bool> asks_in_vain_ = false;      // questions take too long: all points are tried instead

@@ -56,7 +56,7 @@ bool TileTriangulation::try_all_points() {
     pages_to_try_.pop_back();
     ++effort_.pages;
     for (std::size_t slot = 0; slot < page->size(); ++slot)
-      if (!known_.contains(number, slot)) insert_if_needed(*page, slot);
+      if (!surroundings_->knows(number, slot)) insert_if_needed(*page, slot);
     internal::cancellation_point();
   }
   effort_.insert_seconds += trying.seconds();

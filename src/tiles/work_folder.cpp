@@ -42,6 +42,7 @@ std::pair<Plan, TilesIndex> read_finished(const std::string& folder) {
   plan.dimension = index.dimension;
   plan.affine_dimension = index.affine_dimension;
   plan.weighted = index.weighted;
+  plan.lattice = index.lattice;
   plan.num_points = index.num_points;
   plan.num_tiles = index.parts.size();
   return {plan, index};
@@ -55,6 +56,10 @@ std::string difference(const Plan& found, const Plan& wanted) {
     return fmt::format("of {} points, not {}", found.num_points, wanted.num_points);
   if (found.weighted != wanted.weighted)
     return found.weighted ? "of points with weights" : "of points without weights";
+  if (found.lattice.rank() != wanted.lattice.rank())
+    return fmt::format("of a set with {} lattice vectors, not {}", found.lattice.rank(),
+                       wanted.lattice.rank());
+  if (found.lattice.vectors != wanted.lattice.vectors) return "of another lattice";
   if (found.fingerprint != wanted.fingerprint) return "of other points";
   if (found.num_tiles != wanted.num_tiles)
     return fmt::format("in {} tiles, not {}", found.num_tiles, wanted.num_tiles);
@@ -122,6 +127,7 @@ void write_plan(const std::string& work, const Plan& plan) {
   json["dimension"] = plan.dimension;
   json["affine_dimension"] = plan.affine_dimension;
   json["weighted"] = plan.weighted;
+  if (plan.lattice.rank() > 0) json["lattice"] = plan.lattice.vectors;
   json["num_points"] = plan.num_points;
   json["num_tiles"] = plan.num_tiles;
   json["input"] = plan.fingerprint;
@@ -137,6 +143,7 @@ Plan read_plan(const std::string& work) {
   plan.dimension = static_cast<int>(members.number("dimension", 1, std::numeric_limits<int>::max() - 1));
   plan.affine_dimension = static_cast<int>(members.number("affine_dimension", -1, plan.dimension));
   plan.weighted = members.flag("weighted");
+  plan.lattice = members.lattice(plan.dimension);
   plan.num_points = members.number("num_points", 0, largest_count);
   plan.num_tiles =
       static_cast<std::size_t>(members.number("num_tiles", 0, std::numeric_limits<std::int32_t>::max()));
@@ -259,6 +266,7 @@ TilesIndex WorkFolder::summary() const {
   index.dimension = plan_.dimension;
   index.affine_dimension = plan_.affine_dimension;
   index.weighted = plan_.weighted;
+  index.lattice = plan_.lattice;
   index.num_points = plan_.num_points;
   complex::HashAccumulator hash, weighted_hash;
   bool has_vertex = false;
@@ -301,7 +309,8 @@ TilesIndex WorkFolder::finish_all(std::uint64_t memory, bool vtu) {
   TilesIndex index = summary();
   index.num_hull_facets +=
       match_seams(work_, first_cells(index), memory, [&](std::size_t t, std::span<const std::int64_t> cells) {
-        set_content_of_seams(index.parts[t], write_seams(folder_, t, cells));
+        set_content_of_seams(index.parts[t],
+                             write_seams(folder_, t, cells, static_cast<std::size_t>(plan_.lattice.rank())));
       });
   sync(0, records_.size());
   close(index, vtu);

@@ -22,11 +22,16 @@ namespace delone::tiles {
 struct Plan {
   int dimension = 0, affine_dimension = -1;
   bool weighted = false;
+  Lattice lattice;  ///< of a periodic set
   std::int64_t num_points = 0;
   std::size_t num_tiles = 0;
   std::string fingerprint;  ///< of the input: any text that tells it from others
 
-  friend bool operator==(const Plan&, const Plan&) = default;
+  friend bool operator==(const Plan& a, const Plan& b) {
+    return a.dimension == b.dimension && a.affine_dimension == b.affine_dimension &&
+           a.weighted == b.weighted && a.lattice.vectors == b.lattice.vectors &&
+           a.num_points == b.num_points && a.num_tiles == b.num_tiles && a.fingerprint == b.fingerprint;
+  }
 };
 
 /// What remains to be known of a tile whose part is written.

@@ -32,6 +32,7 @@
 #include "base/random.hpp"
 #include "io/file.hpp"
 #include "tiles/check/check_part.hpp"
+#include "tiles/check/check_periodic_tiles.hpp"
 #include "tiles/check/check_rows.hpp"
 #include "tiles/check/check_seams.hpp"
 #include "tiles/index_file.hpp"
@@ -135,6 +136,11 @@ CheckReport check_tiles(const std::string& folder, const CheckOptions& options, 
              "the check "
              "of a triangulation in one piece");
   const TilesIndex index = delone::read_tiles_index(folder);
+  if (index.lattice.rank() > 0) {
+    if (input)
+      io::fail(Errc::unsupported, "the tiles of a periodic set are not compared with points: leave them out");
+    return check_periodic_tiles(folder, index, options);
+  }
   if (input) require_input(*input, index);
   const Sizes sizes = sizes_of(folder, index);
   const std::uint64_t bound =

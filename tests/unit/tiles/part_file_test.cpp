@@ -120,13 +120,20 @@ TEST_F(PartFile, HasTheArraysOfAPart) {
 }
 
 TEST_F(PartFile, SeamsAreChecked) {
-  const auto read = [&] { return tiles::read_seams(path("."), 7, 3, 10, 5, 30); };
-  tiles::write_seams(path("."), 7, std::vector<std::int64_t>{-1, 9, 29});
+  const auto read = [&] {
+    TileData part;
+    part.affine_dimension = 0;
+    part.cells.resize(5);
+    part.neighbors = {-2, -3, -4, -1, -1};
+    tiles::read_seams(path("."), 7, 10, 30, part);
+    return part.seams;
+  };
+  tiles::write_seams(path("."), 7, std::vector<std::int64_t>{-1, 9, 29}, 0);
   EXPECT_EQ(read(), (std::vector<std::int64_t>{-1, 9, 29}));
-  tiles::write_seams(path("."), 7, std::vector<std::int64_t>{-1, 9});
+  tiles::write_seams(path("."), 7, std::vector<std::int64_t>{-1, 9}, 0);
   expect_error(Errc::bad_format, {"part-0007.seams.npy", "expected 3"}, read);
   for (const std::int64_t wrong : {-2, 30, 12}) {
-    tiles::write_seams(path("."), 7, std::vector<std::int64_t>{-1, 9, wrong});
+    tiles::write_seams(path("."), 7, std::vector<std::int64_t>{-1, 9, wrong}, 0);
     expect_error(Errc::bad_format, {"part-0007.seams.npy", "row 2"}, read);
   }
   std::filesystem::remove(path("part-0007.seams.npy"));

@@ -19,9 +19,10 @@ class SeamRecords : public TemporaryDirectory {};
 /// Records of edges: two vertices, tile, cell, index, seam. Returns the pairs of cells.
 std::set<std::pair<std::int64_t, std::int64_t>> pairs_of(const std::vector<std::int64_t>& words) {
   std::set<std::pair<std::int64_t, std::int64_t>> pairs;
-  tiles::match_seam_records(words, 2, [&](std::span<const std::int64_t> a, std::span<const std::int64_t> b) {
-    pairs.insert(std::minmax(a[3], b[3]));
-  });
+  tiles::match_seam_records(words, 2, 0,
+                            [&](std::span<const std::int64_t> a, std::span<const std::int64_t> b) {
+                              pairs.insert(std::minmax(a[3], b[3]));
+                            });
   return pairs;
 }
 
@@ -47,7 +48,7 @@ TEST_F(SeamRecords, HeadersFitTheirFiles) {
     file(tiles::seam_records_name(0),
          {reinterpret_cast<const char*>(words.data()), words.size() * sizeof(std::int64_t)});
   };
-  write({1, 2, 7, 0, 10, 2, 0, 8, 0, 11, 1, 1});
+  write({1, 0, 2, 7, 0, 10, 2, 0, 8, 0, 11, 1, 1});
   tiles::SeamReader reader(path("."), 0);
   EXPECT_EQ(reader.header().k, 1);
   EXPECT_EQ(reader.header().count, 2);
@@ -59,12 +60,13 @@ TEST_F(SeamRecords, HeadersFitTheirFiles) {
   });
   const std::int64_t huge = std::int64_t{1} << 31;
   for (const std::vector<std::int64_t>& words :
-       std::vector<std::vector<std::int64_t>>{{1, 3, 7, 0, 10, 2, 0, 8, 0, 11, 1, 1},
-                                              {-4, 2},
-                                              {1, -1},
-                                              {huge, 0},
-                                              {0, huge},
-                                              {2, 1, 7, 0, 10, 2, 0}}) {
+       std::vector<std::vector<std::int64_t>>{{1, 0, 3, 7, 0, 10, 2, 0, 8, 0, 11, 1, 1},
+                                              {-4, 0, 2},
+                                              {1, 0, -1},
+                                              {1, -1, 0},
+                                              {huge, 0, 0},
+                                              {0, 0, huge},
+                                              {2, 0, 1, 7, 0, 10, 2, 0}}) {
     write(words);
     expect_error(Errc::bad_format, {"damaged or truncated"}, [&] { tiles::SeamReader(path("."), 0); });
   }

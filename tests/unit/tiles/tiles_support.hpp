@@ -132,6 +132,7 @@ inline delone::tiles::Plan plan_of(const delone::ComplexData& data, std::size_t 
   return {data.dimension,
           data.affine_dimension,
           !data.weights.empty(),
+          {},
           static_cast<std::int64_t>(data.num_points()),
           num_tiles,
           "a test"};

@@ -66,7 +66,7 @@ class CheckTiles : public TemporaryDirectory {
     const std::vector<std::int64_t> seams = part.seams;
     change(part);
     tiles::write_part(folder_, i, part);
-    if (part.seams != seams) tiles::write_seams(folder_, i, part.seams);
+    if (part.seams != seams) tiles::write_seams(folder_, i, part.seams, 0);
     accept_files();
   }
   /// Lets the index say what the files are now.

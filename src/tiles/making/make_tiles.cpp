@@ -5,7 +5,11 @@
 #include "base/random.hpp"
 #include "complex/canonical_hash.hpp"
 #include "io/file.hpp"
+#include "periodic/periodic_hash.hpp"
 #include "tiles/folder_names.hpp"
+#include "tiles/making/periodic_input.hpp"
+#include "tiles/making/periodic_part.hpp"
+#include "tiles/making/periodic_surroundings.hpp"
 #include "tiles/page_file.hpp"
 #include "tiles/part_file.hpp"
 #include "tiles/repair.hpp"
@@ -57,10 +61,12 @@ class Run {
         memory_(options.memory > 0 ? options.memory : memory_to_use()) {}
 
   TilesIndex run() {
+    if (options_.vtu && is_periodic())
+      throw Error(Errc::unsupported, "vtu is for tiles of sets that are not periodic");
     if (options_.vtu) require_vtu(folder_, points_.dimension() - (options_.weighted ? 1 : 0));
     {
       const ProgressScope scope(part_of_progress(0, share_of_survey));
-      SurveyResult result = make_survey(points_, options_.weighted);
+      SurveyResult result = is_periodic() ? survey_periodic() : make_survey(points_, options_.weighted);
       survey_ = std::move(result.survey);
       sample_ = std::move(result.sample);
       model_ = {cells_per_point(sample_, survey_), ForeignShare::of_uniform_points(survey_.affine_dimension)};
@@ -78,6 +84,18 @@ class Run {
   }
 
  private:
+  bool is_periodic() const { return options_.lattice.rank() > 0; }
+  /// Of the points in the box of the lattice.
+  SurveyResult survey_periodic() {
+    set_ = make_set(points_, options_.weighted, options_.lattice);
+    require_few_shifts(*set_);
+    placed_.emplace(points_, *set_);
+    PeriodicSurvey made = make_periodic_survey(*placed_, *set_);
+    extent_.emplace(std::move(made.extent));
+    finest_bit_ = made.finest_bit;
+    return std::move(made.result);
+  }
+
   /// The number of tiles: that of a folder of the same input, or as few as fit into memory.
   void settle_tiles(std::size_t num_tiles) {
     TilesOptions options = options_;
@@ -121,6 +139,7 @@ class Run {
     plan.dimension = survey_.dimension;
     plan.affine_dimension = survey_.affine_dimension;
     plan.weighted = survey_.weighted;
+    if (set_) plan.lattice = lattice_of(*set_);
     plan.num_points = static_cast<std::int64_t>(survey_.num_points);
     plan.num_tiles = forecast_.num_tiles;
     plan.fingerprint = fingerprint_;
@@ -138,7 +157,38 @@ class Run {
     const PageTable table = make_pages(tree, folder.work());
     make_parts(folder, table);
     const ProgressScope scope(part_of_progress(1 - share_of_seams, 1));
+    if (set_) settle_hash(folder);
     return folder.finish_all(memory_ / 4, options_.vtu);
+  }
+
+  /// The hash counts in units of the finest bit of all vertices. Hidden points may have a finer one: then the
+  /// shares of tiles were in other units.
+  void settle_hash(WorkFolder& folder) {
+    int finest = finest_bit_;
+    const std::size_t n = folder.plan().num_tiles;
+    const auto has_hidden = [&](std::size_t t) { return folder.finished(t)->num_hidden > 0; };
+    bool any_hidden = false;
+    for (std::size_t t = 0; t < n; ++t) any_hidden = any_hidden || has_hidden(t);
+    if (any_hidden) {
+      finest = periodic::finest_bit(set_->period);
+      for (std::size_t t = 0; t < n; ++t)
+        finest = std::min(finest, finest_bit_of_part(*set_, read_part(folder_, t, folder.finished(t)->part),
+                                                     folder.finished(t)->num_vertices));
+    }
+    for (std::size_t t = 0; t < n; ++t) {
+      if (t > 0 && finest == finest_bit_) break;
+      TileRecord record = *folder.finished(t);
+      if (finest != finest_bit_) {
+        const TileData part = read_part(folder_, t, record.part);
+        record.hash = hash_of_part(*set_, finest, part, record.num_vertices, false);
+        record.weighted_hash = hash_of_part(*set_, finest, part, record.num_vertices, true);
+      }
+      if (t == 0) {
+        record.hash.add(lattice_hash(*set_, finest));
+        record.weighted_hash.add(lattice_hash(*set_, finest));
+      }
+      folder.know(t, record);
+    }
   }
 
   /// Makes what is damaged in a finished folder again.
@@ -171,7 +221,8 @@ class Run {
     if (auto table = find_page_table(table_path, pages_path_)) return std::move(*table);
     PageFileOptions how;
     how.memory = memory_;
-    PageTable table = make_page_file(points_, survey_, tree, pages_path_, how);
+    PageTable table = make_page_file(placed_ ? static_cast<PointStream&>(*placed_) : points_, survey_, tree,
+                                     pages_path_, how);
     write_page_table(table_path, table);
     return table;
   }
@@ -195,10 +246,13 @@ class Run {
       const ProgressScope scope(how.progress);
       FinishedTile finished;
       {
-        TileTriangulation tile(survey_, tree, pages, t, pages.read_tile_points(t), how);
+        TileTriangulation tile(
+            survey_, tree, pages, t, pages.read_tile_points(t), how,
+            set_ ? periodic_surroundings(*set_, *extent_, survey_, tree, pages, t) : nullptr);
         while (tile.advance()) {
         }
         finished = tile.finish();
+        if (set_) finish_periodic_part(*set_, finest_bit_, finished);
       }
       pages.drop();
       folder.finish(t, finished);
@@ -217,6 +271,10 @@ class Run {
   const std::string folder_, fingerprint_;
   const TilesOptions& options_;
   const std::uint64_t memory_;
+  std::optional<periodic::PeriodicSet> set_;  // what follows is of a periodic set, too
+  std::optional<PlacedPoints> placed_;
+  std::optional<periodic::Extent> extent_;
+  int finest_bit_ = 0;  // of lattice and points
   Survey survey_;
   std::vector<double> sample_;
   SetModel model_;

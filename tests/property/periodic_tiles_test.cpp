@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tiles of periodic sets against the triangulation in one piece: the hash, the counts and the cells, for
+// every number of tiles and threads; and check_tiles() of the folders.
+#include "error_code.hpp"
+#include "memory_folder.hpp"
+#include "periodic_sets.hpp"
+#include "scale.hpp"
+
+#include <delone/periodic.hpp>
+#include <delone/point_sets.hpp>
+#include <delone/tiles.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace delone {
+namespace {
+
+class PeriodicTiles : public ::testing::Test {
+ protected:
+  using Cells = std::vector<std::vector<std::int64_t>>;
+
+  TilesOptions options(std::size_t tiles, const Lattice& lattice, bool weighted, unsigned threads = 1) const {
+    TilesOptions made;
+    made.tiles = tiles;
+    made.lattice = lattice;
+    made.weighted = weighted;
+    made.threads = threads;
+    made.memory = std::uint64_t{1} << 34;
+    return made;
+  }
+  static std::vector<double> joined(const std::vector<double>& points, const std::vector<double>& weights,
+                                    std::size_t d) {
+    std::vector<double> rows;
+    for (std::size_t i = 0; i * d < points.size(); ++i) {
+      rows.insert(rows.end(), points.begin() + static_cast<std::ptrdiff_t>(i * d),
+                  points.begin() + static_cast<std::ptrdiff_t>((i + 1) * d));
+      if (!weights.empty()) rows.push_back(weights[i]);
+    }
+    return rows;
+  }
+  /// Of each cell its vertices, a row and offsets, sorted; sorted.
+  template <class Rows, class Offsets>
+  static void add_cells(const Rows& rows, const Offsets& offsets, std::size_t corners, std::size_t r,
+                        Cells& cells) {
+    for (std::size_t c = 0; c * corners < rows.size(); ++c) {
+      Cells vertices;
+      for (std::size_t i = c * corners; i < (c + 1) * corners; ++i) {
+        vertices.push_back({static_cast<std::int64_t>(rows[i])});
+        for (std::size_t l = 0; l < r; ++l) vertices.back().push_back(offsets[i * r + l]);
+      }
+      std::sort(vertices.begin(), vertices.end());
+      cells.emplace_back();
+      for (const auto& vertex : vertices)
+        cells.back().insert(cells.back().end(), vertex.begin(), vertex.end());
+    }
+  }
+
+  void expect_as_in_one_piece(const std::vector<double>& points, const std::vector<double>& weights,
+                              const Lattice& lattice, std::size_t tiles, unsigned threads = 1) {
+    const auto d = static_cast<std::size_t>(lattice.dimension), r = static_cast<std::size_t>(lattice.rank());
+    const std::vector<double> rows = joined(points, weights, d);
+    const int columns = lattice.dimension + (weights.empty() ? 0 : 1);
+    const std::string out = files_.file("out");
+    std::filesystem::remove_all(out);
+    const TilesIndex index =
+        make_tiles(PointsView(rows, columns), out, options(tiles, lattice, !weights.empty(), threads));
+    const PointsView view(points, lattice.dimension);
+    CanonicalHash hash;
+    const auto compare = [&](const PeriodicTriangulation& whole) {
+      EXPECT_EQ(index.hash, whole.hash());
+      EXPECT_EQ(index.num_cells, static_cast<std::int64_t>(whole.num_cells()));
+      EXPECT_EQ(index.num_vertices, static_cast<std::int64_t>(whole.num_vertices()));
+      EXPECT_EQ(index.num_duplicates, static_cast<std::int64_t>(whole.num_duplicates()));
+      EXPECT_EQ(index.num_hidden, static_cast<std::int64_t>(whole.num_hidden()));
+      EXPECT_EQ(index.affine_dimension, whole.affine_dimension());
+      EXPECT_EQ(index.lattice.vectors, whole.lattice().vectors);
+      Cells found, expected;
+      const auto corners = static_cast<std::size_t>(index.affine_dimension + 1);
+      add_cells(whole.cells(), whole.cell_offsets(), corners, r, expected);
+      bool is_same_point = true;
+      for (std::size_t i = 0; i < index.parts.size(); ++i) {
+        const TileData part = read_tile(out, i);
+        std::vector<std::int64_t> cells;
+        for (const std::int32_t v : part.cells) cells.push_back(part.rows[static_cast<std::size_t>(v)]);
+        add_cells(cells, part.cell_offsets, corners, r, found);
+        for (std::size_t v = 0; v < part.rows.size(); ++v)
+          is_same_point =
+              is_same_point && std::equal(&part.points[v * d], &part.points[v * d] + d,
+                                          &whole.points()[static_cast<std::size_t>(part.rows[v]) * d]);
+      }
+      if (!is_same_point) return;  // points outside of the box have other offsets
+      std::sort(found.begin(), found.end());
+      std::sort(expected.begin(), expected.end());
+      EXPECT_EQ(found, expected);
+    };
+    if (weights.empty())
+      compare(PeriodicDelaunay<>(view, lattice));
+    else
+      compare(PeriodicRegular<>(view, weights, lattice));
+    const CheckReport report = check_tiles(out, {.canonical = true});
+    EXPECT_TRUE(report.ok) << report;
+    EXPECT_EQ(read_tiles_index(out).hash, index.hash);
+  }
+
+  test::MemoryFolder files_;
+};
+
+Lattice cube(int d, double side = 1) {
+  return Lattice::box(std::vector<double>(static_cast<std::size_t>(d), side));
+}
+
+/// A cubic lattice of n^d points.
+std::vector<double> grid(int d, int n) {
+  std::vector<double> points;
+  std::vector<int> at(static_cast<std::size_t>(d), 0);
+  for (;;) {
+    for (const int i : at) points.push_back(static_cast<double>(i) / n);
+    std::size_t j = 0;
+    while (j < at.size() && ++at[j] == n) at[j++] = 0;
+    if (j == at.size()) return points;
+  }
+}
+
+std::vector<double> some_weights(std::size_t n, double size) {
+  std::vector<double> weights = make_point_set("uniform", 1, n, 5);
+  for (double& w : weights) w = test::coarse(w) * size;
+  return weights;
+}
+
+TEST_F(PeriodicTiles, UniformPoints) {
+  for (const int d : {2, 3}) {
+    const std::vector<double> points = make_point_set("uniform", d, test::scaled_size(1500, 200), 1);
+    for (const std::size_t tiles : {1, 2, 5, 16}) {
+      SCOPED_TRACE(std::to_string(d) + "D, tiles " + std::to_string(tiles));
+      expect_as_in_one_piece(points, {}, cube(d), tiles);
+    }
+    expect_as_in_one_piece(points, {}, cube(d), 5, 3);
+  }
+}
+
+TEST_F(PeriodicTiles, Clusters) {
+  std::vector<double> points = make_point_set("plummer", 3, test::scaled_size(2000, 200), 3);
+  for (const std::size_t tiles : {1, 8}) expect_as_in_one_piece(points, {}, cube(3, 8), tiles);
+}
+
+TEST_F(PeriodicTiles, LatticesWithTies) {
+  for (const auto& [d, n] : {std::pair{2, 6}, std::pair{3, 4}})
+    for (const std::size_t tiles : {1, 3, 8}) {
+      SCOPED_TRACE(std::to_string(d) + "D, tiles " + std::to_string(tiles));
+      expect_as_in_one_piece(grid(d, n), {}, cube(d), tiles);
+    }
+}
+
+TEST_F(PeriodicTiles, FewPoints) {
+  for (const int d : {2, 3})
+    for (std::size_t n = 0; n <= 20; n += n < 4 ? 1 : 5)
+      for (const std::size_t tiles : {1, 4}) {
+        SCOPED_TRACE(std::to_string(d) + "D, points " + std::to_string(n) + ", tiles " +
+                     std::to_string(tiles));
+        expect_as_in_one_piece(make_point_set("uniform", d, n, 2), {}, cube(d), tiles);
+      }
+}
+
+TEST_F(PeriodicTiles, AllBoxes) {
+  const std::vector<double> fractions = test::random_fractions(3 * test::scaled_size(300, 60), 8);
+  for (const auto& [name, lattice] : test::lattices_in_space())
+    for (const int rank : {1, 2, 3})
+      for (const std::size_t tiles : {1, 6}) {
+        SCOPED_TRACE(std::string(name) + ", rank " + std::to_string(rank) + ", tiles " +
+                     std::to_string(tiles));
+        const Lattice some = test::of_rank(lattice, rank);
+        expect_as_in_one_piece(test::at_fractions(fractions, some), {}, some, tiles);
+      }
+}
+
+TEST_F(PeriodicTiles, FlatSlabs) {
+  Lattice lattice{3, {1, 0, 0, 0, 1, 0}};
+  std::vector<double> points;
+  for (const double x : make_point_set("uniform", 2, 300, 4)) {
+    points.push_back(test::coarse(x));
+    if (points.size() % 3 == 2) points.push_back(0.25);
+  }
+  expect_as_in_one_piece(points, {}, lattice, 4);
+  // Layers: all points of the top and of the bottom are on the hull.
+  std::vector<double> layers = grid(3, 5);
+  expect_as_in_one_piece(layers, {}, lattice, 6);
+}
+
+TEST_F(PeriodicTiles, Weights) {
+  for (const int d : {2, 3}) {
+    const std::size_t n = test::scaled_size(600, 100);
+    std::vector<double> points = make_point_set("uniform", d, n, 6);
+    for (double& x : points) x = test::coarse(x);
+    for (const double size : {1e-3, 0.3})  // few points are hidden, and most
+      for (const std::size_t tiles : {1, 5}) {
+        SCOPED_TRACE(std::to_string(d) + "D, size " + std::to_string(size) + ", tiles " +
+                     std::to_string(tiles));
+        expect_as_in_one_piece(points, some_weights(n, size), cube(d), tiles);
+      }
+    expect_as_in_one_piece(points, std::vector<double>(n, 0.5), cube(d), 3);
+    if (d == 3) expect_as_in_one_piece(points, some_weights(n, 0.05), {3, {1, 0, 0, 0, 1, 0}}, 4);
+  }
+}
+
+// The finest bit of the coordinates is that of a hidden point, and the hash does not count in it.
+TEST_F(PeriodicTiles, HiddenPointsOfFinerCoordinates) {
+  std::vector<double> points = grid(2, 8), weights(64, 0.0);
+  points.insert(points.end(), {0.3, 0.7});
+  weights.push_back(-1);
+  expect_as_in_one_piece(points, weights, cube(2), 4);
+}
+
+TEST_F(PeriodicTiles, DuplicatesAndPointsOutside) {
+  std::vector<double> points = make_point_set("uniform", 3, 200, 9);
+  for (double& x : points) x = test::coarse(x);
+  std::vector<double> all = points;
+  for (std::size_t i = 0; i < 90; ++i) all.push_back(points[i] + (i % 3 == 0 ? 5.0 : -1.0));
+  expect_as_in_one_piece(all, {}, cube(3), 4);
+}
+
+TEST_F(PeriodicTiles, DamagedFoldersAreMadeAgain) {
+  const std::vector<double> points = make_point_set("uniform", 3, 500, 1);
+  const std::string out = files_.file("out");
+  const TilesIndex index = make_tiles(PointsView(points, 3), out, options(4, cube(3), false));
+  const std::string path = out + "/part-0002.seams.npy";
+  std::filesystem::remove(path);
+  std::filesystem::resize_file(out + "/part-0001.npz", 100);
+  EXPECT_FALSE(check_tiles(out).ok);
+  const TilesIndex again = make_tiles(PointsView(points, 3), out, options(4, cube(3), false));
+  EXPECT_EQ(again.hash, index.hash);
+  EXPECT_TRUE(check_tiles(out).ok);
+}
+
+TEST_F(PeriodicTiles, WrongFoldersAreFound) {
+  const std::vector<double> points = make_point_set("uniform", 3, 500, 1);
+  const std::string out = files_.file("out");
+  make_tiles(PointsView(points, 3), out, options(4, cube(3), false));
+  EXPECT_EQ(test::code_of([&] { make_tiles(PointsView(points, 3), out, options(4, cube(3, 2), false)); }),
+            Errc::invalid_argument);
+  EXPECT_EQ(test::code_of([&] { make_tiles(PointsView(points, 3), out, options(4, {}, false)); }),
+            Errc::invalid_argument);
+  EXPECT_EQ(test::code_of([&] { make_tiles(PointsView(points, 3), out, options(4, cube(2), false)); }),
+            Errc::bad_dimension);
+  EXPECT_EQ(test::code_of([&] { check_tiles(out, PointsView(points, 3)); }), Errc::unsupported);
+  std::ifstream in(out + "/index.json");
+  std::string text((std::istreambuf_iterator<char>(in)), {});
+  const std::size_t at = text.find("\"hash\": \"") + 9;
+  text[at] = text[at] == '0' ? '1' : '0';
+  std::ofstream(out + "/index.json") << text;
+  const CheckReport report = check_tiles(out);
+  EXPECT_FALSE(report.ok);
+  EXPECT_EQ(report.reached.number, 6) << report;
+}
+
+TEST_F(PeriodicTiles, WhatTilesDoNotTake) {
+  const std::vector<double> points = make_point_set("uniform", 3, 50, 1);
+  TilesOptions how = options(2, cube(3), false);
+  how.vtu = true;
+  EXPECT_EQ(test::code_of([&] { make_tiles(PointsView(points, 3), files_.file("vtu"), how); }),
+            Errc::unsupported);
+  const std::vector<double> many = make_point_set("uniform", 8, 50, 1);
+  EXPECT_EQ(test::code_of(
+                [&] { make_tiles(PointsView(many, 8), files_.file("high"), options(2, cube(8), false)); }),
+            Errc::unsupported);
+}
+
+}  // namespace
+}  // namespace delone
