@@ -8,7 +8,6 @@
 
 #include <delone/point_locator.hpp>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
