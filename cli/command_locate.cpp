@@ -8,7 +8,6 @@
 
 #include <delone/point_locator.hpp>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -60,12 +59,18 @@ std::span<const SignedIndex> face(const LocatedPoints& answers, std::size_t quer
 }
 
 std::string as_csv(const LocatedPoints& answers) {
-  fmt::memory_buffer text;
-  fmt::format_to(std::back_inserter(text), "query,kind,cell,face\n");
-  for (std::size_t i = 0; i < answers.cells.size(); ++i)
-    fmt::format_to(std::back_inserter(text), "{},{},{},{}\n", i, name_of(answers.kinds[i]), answers.cells[i],
-                   fmt::join(face(answers, i), " "));
-  return fmt::to_string(text);
+  std::string text = "query,kind,cell,face\n";
+  for (std::size_t i = 0; i < answers.cells.size(); ++i) {
+    text.append(std::to_string(i)).append(",").append(name_of(answers.kinds[i])).append(",");
+    text.append(std::to_string(answers.cells[i]));
+    char separator = ',';
+    for (const SignedIndex row : face(answers, i)) {
+      text.append(1, separator).append(std::to_string(row));
+      separator = ' ';
+    }
+    text.append(separator == ',' ? ",\n" : "\n");
+  }
+  return text;
 }
 
 std::string as_json(const LocatedPoints& answers) {

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# delone_unite(<target> <files>): compiles the sources of a folder together, in parts of equal size of at most so many files. What they
-# include is then parsed once, and templates that they share are compiled once: half of the time less. A source with compile options of
-# its own, and one that Highway compiles for several instruction sets, stays alone.
+# A build from nothing compiles many sources together: what they include is then parsed once, and templates that they share are compiled
+# once, in half of the time. Names in anonymous namespaces differ among sources that are compiled together.
 # In the preset dev each source is compiled by itself, so that it includes what it uses.
+
+# delone_unite(<target> <files> [ACROSS_FOLDERS]): compiles the sources of a folder together, in parts of equal size of at most so many
+# files, and with ACROSS_FOLDERS small folders with the one before. A source with compile options of its own, and one that Highway compiles
+# for several instruction sets, stays alone.
 function(delone_unite target files)
   if(CMAKE_DISABLE_PRECOMPILE_HEADERS)
     return()
@@ -22,9 +25,16 @@ function(delone_unite target files)
     list(APPEND sources_${key} ${source})
   endforeach()
   list(REMOVE_DUPLICATES folders)
+  set(in_group ${files})  # of the group that was begun last
   foreach(folder ${folders})
     string(MAKE_C_IDENTIFIER "${folder}" key)
     list(LENGTH sources_${key} number)
+    math(EXPR in_both "${in_group} + ${number}")
+    if("ACROSS_FOLDERS" IN_LIST ARGN AND in_both LESS_EQUAL files)
+      set_source_files_properties(${sources_${key}} PROPERTIES UNITY_GROUP ${group})
+      set(in_group ${in_both})
+      continue()
+    endif()
     math(EXPR parts "(${number} + ${files} - 1) / ${files}")
     file(RELATIVE_PATH name ${CMAKE_CURRENT_SOURCE_DIR} ${folder})
     set(index 0)
@@ -34,17 +44,20 @@ function(delone_unite target files)
       string(MAKE_C_IDENTIFIER "${name}_${part}" group)
       set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
     endforeach()
+    math(EXPR in_group "(${number} + ${parts} - 1) / ${parts}")
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 endfunction()
 
-# delone_unite_made(<target> <name> <source>...): adds sources that CMake makes to the target, joined in the file <name>.cpp.
+# delone_unite_made(<target> <name> <source>...): adds sources to the target, joined in the file <name>.cpp, which CMake makes. They may be
+# for several instruction sets.
 function(delone_unite_made target name)
   set(sources ${ARGN})
   if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
+    set(joined ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
     list(TRANSFORM sources REPLACE "(.+)" "#include \"\\1\"\n")
-    string(JOIN "" content ${sources})
-    set(sources ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+    string(JOIN "" content "#define HWY_TARGET_INCLUDE \"${joined}\"\n" ${sources})
+    set(sources ${joined})
     file(CONFIGURE OUTPUT ${sources} CONTENT "${content}" @ONLY)
   endif()
   target_sources(${target} PRIVATE ${sources})

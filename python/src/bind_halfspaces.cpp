@@ -166,7 +166,7 @@ std::string repr(const HeldIntersection& held) {
 
 /// What pictures are drawn from, float64: the ends of up to `limit` edges, evenly chosen, (s, 2, d), and how
 /// many edges there are.
-py::tuple sample(const HeldIntersection& held, std::size_t limit) {
+py::tuple sample_intersection(const HeldIntersection& held, std::size_t limit) {
   std::vector<double> ends;
   const auto d = static_cast<std::size_t>(held.dimension());
   const std::size_t num_edges = held.ask([&](const HalfspaceIntersectionBase& intersection) {
@@ -201,7 +201,7 @@ std::unique_ptr<HeldIntersection> restored_intersection(const py::tuple& given) 
 }
 
 template <class Question>
-auto asking(Question question) {
+auto answer(Question question) {
   return [question](const HeldIntersection& held) { return held.ask(question); };
 }
 
@@ -226,25 +226,25 @@ void bind_halfspaces(py::module_& module) {
            text(docs::halfspaces::insert_range));
   type.def_property_readonly("dimension", &HeldIntersection::dimension,
                              "The number d >= 1 of coordinates of a point.")
-      .def_property_readonly("rank", asking([](const HalfspaceIntersectionBase& h) { return h.rank(); }),
+      .def_property_readonly("rank", answer([](const HalfspaceIntersectionBase& h) { return h.rank(); }),
                              text(docs::halfspaces::rank))
       .def_property_readonly("state",
-                             asking([](const HalfspaceIntersectionBase& h) { return name_of(h.state()); }),
+                             answer([](const HalfspaceIntersectionBase& h) { return name_of(h.state()); }),
                              "'full', 'flat' (some points, but none strictly inside) or 'empty'.")
       .def_property_readonly("is_bounded",
-                             asking([](const HalfspaceIntersectionBase& h) { return h.is_bounded(); }),
+                             answer([](const HalfspaceIntersectionBase& h) { return h.is_bounded(); }),
                              "Whether the intersection is a polytope: full, without directions and lines.")
       .def_property_readonly("num_halfspaces",
-                             asking([](const HalfspaceIntersectionBase& h) { return h.num_halfspaces(); }),
+                             answer([](const HalfspaceIntersectionBase& h) { return h.num_halfspaces(); }),
                              "The number m of input rows.")
       .def_property_readonly("num_vertices",
-                             asking([](const HalfspaceIntersectionBase& h) { return h.num_vertices(); }),
+                             answer([](const HalfspaceIntersectionBase& h) { return h.num_vertices(); }),
                              "The number v of vertices, all of which are finite.")
       .def_property_readonly("num_facets",
-                             asking([](const HalfspaceIntersectionBase& h) { return h.num_facets(); }),
+                             answer([](const HalfspaceIntersectionBase& h) { return h.num_facets(); }),
                              "The number f of facets; also len().")
-      .def("__len__", asking([](const HalfspaceIntersectionBase& h) { return h.num_facets(); }))
-      .def("_sample", &sample, "limit"_a)
+      .def("__len__", answer([](const HalfspaceIntersectionBase& h) { return h.num_facets(); }))
+      .def("_sample", &sample_intersection, "limit"_a)
       .def_property_readonly("columns", &HeldIntersection::columns,
                              "The labels of the columns of the DataFrame it was made of, d+1 in a tuple, or "
                              "None; see `Delaunay.columns`.")
@@ -296,13 +296,13 @@ void bind_halfspaces(py::module_& module) {
                              "The unit normal and offset of the facet of the dual points' hull for each "
                              "vertex, (v, d+1) float64, rounded.")
       .def_property_readonly("volume",
-                             asking([](const HalfspaceIntersectionBase& h) { return h.volume().value; }),
+                             answer([](const HalfspaceIntersectionBase& h) { return h.volume().value; }),
                              text(docs::halfspaces::volume))
       .def_property_readonly(
-          "dual_volume", asking([](const HalfspaceIntersectionBase& h) { return h.dual_volume().value; }),
+          "dual_volume", answer([](const HalfspaceIntersectionBase& h) { return h.dual_volume().value; }),
           "The volume of the hull of the dual points (and of the origin, if unbounded); NaN for k < d.")
       .def_property_readonly(
-          "dual_area", asking([](const HalfspaceIntersectionBase& h) { return h.dual_area().value; }),
+          "dual_area", answer([](const HalfspaceIntersectionBase& h) { return h.dual_area().value; }),
           "The surface area of the hull of the dual points (and of the origin, if unbounded); NaN for k < d.")
       .def_property_readonly(
           "statistics",

@@ -37,11 +37,11 @@ py::dict index_as_dict(const TilesIndex& index) {
 }
 
 /// A path, or rows of numbers: of shape (n, d), or (n, d + 1) with weights.
-py::dict make(const py::object& input, const std::string& folder, std::uint64_t memory, std::size_t tiles,
-              int threads, bool weighted, const std::string& format, int columns, int dimension,
-              std::vector<std::string> coordinates, std::string weights, std::vector<double> lattice,
-              bool resume, bool vtu, const py::object& forecast, const py::object& damage,
-              const py::object& progress) {
+py::dict make_folder(const py::object& input, const std::string& folder, std::uint64_t memory,
+                     std::size_t tiles, int threads, bool weighted, const std::string& format, int columns,
+                     int dimension, std::vector<std::string> coordinates, std::string weights,
+                     std::vector<double> lattice, bool resume, bool vtu, const py::object& forecast,
+                     const py::object& damage, const py::object& progress) {
   TilesOptions options;
   options.memory = memory;
   options.tiles = tiles;
@@ -120,7 +120,7 @@ py::dict read_part(const std::string& folder, std::size_t number, std::int64_t f
 }
 
 /// The highest level reached, its name, and the violation, if there is one, with its cells and rows.
-/// `input`: None, or rows of numbers as make() takes them.
+/// `input`: None, or rows of numbers as make_folder() takes them.
 py::dict check(const std::string& folder, const py::object& input, int level, bool canonical, int threads,
                const py::object& progress) {
   CheckOptions options;
@@ -142,9 +142,9 @@ py::dict check(const std::string& folder, const py::object& input, int level, bo
 }  // namespace
 
 void bind_tiles(py::module_& module) {
-  module.def("_make_tiles", &make, "input"_a, "folder"_a, py::kw_only(), "memory"_a, "tiles"_a, "threads"_a,
-             "weighted"_a, "format"_a, "columns"_a, "dimension"_a, "coordinates"_a, "weights"_a, "lattice"_a,
-             "resume"_a, "vtu"_a, "forecast"_a, "damage"_a, "progress"_a,
+  module.def("_make_tiles", &make_folder, "input"_a, "folder"_a, py::kw_only(), "memory"_a, "tiles"_a,
+             "threads"_a, "weighted"_a, "format"_a, "columns"_a, "dimension"_a, "coordinates"_a, "weights"_a,
+             "lattice"_a, "resume"_a, "vtu"_a, "forecast"_a, "damage"_a, "progress"_a,
              "Makes a folder of tiles from a path or an array, the last column of which may be weights, and "
              "returns its index.");
   module.def("_read_tiles_index", &read_index, "folder"_a, "The index of a folder of tiles.");

@@ -28,7 +28,6 @@ using namespace py::literals;
 using Rows = py::array_t<SignedIndex, py::array::c_style | py::array::forcecast>;
 using Reals = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Held = HeldTriangulation;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 const char* name_of(const Held& held) {
   return held.form() == Form::regular         ? "Regular"
@@ -149,7 +148,7 @@ SignedIndex find_one(const Held& held, const py::object& object) {
   return cell;
 }
 
-py::object locate(const Held& held, const py::object& object, double tolerance) {
+py::object locate_queries(const Held& held, const py::object& object, double tolerance) {
   const Queries queries(object, held);
   const LocateOptions options{.tolerance = tolerance};
   const Execution how{.threads = held.threads()};
@@ -319,7 +318,7 @@ py::tuple nearest(const Held& held, const py::object& object, std::optional<py::
   auto rows = k ? queries.answers<SignedIndex>({width}) : queries.answers<SignedIndex>();
   auto distances = k ? queries.answers<double>({width}) : queries.answers<double>();
   std::fill_n(rows.mutable_data(), rows.size(), SignedIndex{-1});
-  std::fill_n(distances.mutable_data(), distances.size(), nan);
+  std::fill_n(distances.mutable_data(), distances.size(), std::numeric_limits<double>::quiet_NaN());
   Supervisor supervisor;
   supervisor.run([&, x = queries.coordinates(), row = rows.mutable_data(), at = distances.mutable_data()] {
     held.with_locator([&](const Triangulation& engine, const PointLocator& locator, const Cells&) {
@@ -334,7 +333,7 @@ py::tuple nearest(const Held& held, const py::object& object, std::optional<py::
   return py::make_tuple(Queries::scalar_if_single(rows), Queries::scalar_if_single(distances));
 }
 
-py::dict statistics(const Held& held) {
+py::dict construction_statistics(const Held& held) {
   return as_dict(ask(held, [](const Triangulation& t) { return t.statistics(); }));
 }
 
@@ -424,10 +423,10 @@ void bind_triangulations(py::module_& module) {
             return ask(h, [&](const Triangulation& t) { return t.hash({.threads = h.threads()}).hex(); });
           },
           text(docs::triangulation::hash))
-      .def_property_readonly("statistics", &statistics, text(docs::triangulation::statistics))
+      .def_property_readonly("statistics", &construction_statistics, text(docs::triangulation::statistics))
       .def("find_simplex", &find_simplices, "queries"_a, py::kw_only(), "tolerance"_a = 0.0,
            text(docs::triangulation::find_simplex))
-      .def("locate", &locate, "queries"_a, py::kw_only(), "tolerance"_a = 0.0,
+      .def("locate", &locate_queries, "queries"_a, py::kw_only(), "tolerance"_a = 0.0,
            text(docs::triangulation::locate))
       .def("barycentric", &barycentric, "queries"_a, py::kw_only(), "tolerance"_a = 0.0,
            text(docs::triangulation::barycentric))

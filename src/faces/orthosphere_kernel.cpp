@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "faces/orthosphere_kernel.hpp"
 
-#undef HWY_TARGET_INCLUDE
+#ifndef HWY_TARGET_INCLUDE  // else several kernels are compiled together
 #define HWY_TARGET_INCLUDE "faces/orthosphere_kernel.cpp"
+#endif
 #include <hwy/foreach_target.h>
 // After foreach_target.h
 #include <hwy/highway.h>
@@ -47,11 +48,8 @@ void find(std::size_t size, bool weighted, bool want_square, const double* HWY_R
 void find_orthospheres_here(std::size_t n, std::size_t d, bool weighted, bool want_square,
                             const double* vertices, OrthosphereBlock& found) {
   const auto choose = [&]() {
-    if (d == 3) {
-      if (n == 1) return &find<1, 3>;
-      if (n == 2) return &find<2, 3>;
-      if (n == 3) return &find<3, 3>;
-    }
+    if constexpr (HWY_TARGET != HWY_SCALAR)
+      if (d == 3 && n <= 3) return n == 1 ? &find<1, 3> : n == 2 ? &find<2, 3> : &find<3, 3>;
     return n == 1   ? &find<1, 0>
            : n == 2 ? &find<2, 0>
            : n == 3 ? &find<3, 0>

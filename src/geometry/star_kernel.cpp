@@ -22,8 +22,9 @@
 #include <bit>
 #include <cstdint>
 
-#undef HWY_TARGET_INCLUDE
+#ifndef HWY_TARGET_INCLUDE  // else several kernels are compiled together
 #define HWY_TARGET_INCLUDE "geometry/star_kernel.cpp"
+#endif
 #include <hwy/foreach_target.h>
 // After foreach_target.h
 #include <hwy/highway.h>

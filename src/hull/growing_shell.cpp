@@ -20,7 +20,6 @@ namespace delone::hull {
 namespace {
 
 constexpr double unit = kernel::unit_roundoff;
-constexpr double absolute = 0x1p-500;
 constexpr int most_steps = 100;  // of a walk
 
 }  // namespace
@@ -89,7 +88,7 @@ double GrowingShell::distance_up(const CellCones& cones, std::size_t cell) {
     square += most * most;
   }
   return (std::sqrt(square) + 1.01 * (dimension + 4) * unit * moved) * (1 + (dimension + 8) * unit) +
-         absolute;
+         underflow_slack;
 }
 
 /// The next walk goes to this point.

@@ -14,6 +14,9 @@
 
 namespace delone::hull {
 
+/// More than underflow takes from a distance.
+inline constexpr double underflow_slack = 0x1p-500;
+
 /// Adds the farthest points beyond cells of the shell of a sieve, as in Quickhull (Barber, Dobkin, Huhdanpaa
 /// 1996, doi:10.1145/235815.235821), until every point is within the tolerance of the shell; that is proved
 /// in binary64, and no exact predicate is asked but by insertions. Points are remaining rows of the sieve.

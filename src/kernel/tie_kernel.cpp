@@ -10,8 +10,9 @@
 // Their vectors are as short as those of SSE2, and the unrolled minors are slow to compile.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4)
 #endif
-#undef HWY_TARGET_INCLUDE
+#ifndef HWY_TARGET_INCLUDE  // else several kernels are compiled together
 #define HWY_TARGET_INCLUDE "kernel/tie_kernel.cpp"
+#endif
 #include <hwy/foreach_target.h>
 // After foreach_target.h
 #include <hwy/highway.h>
@@ -65,7 +66,8 @@ HWY_INLINE void write_differences(const TieTask& task, const Index* cell, const 
     }
 #endif
     for (; r < K; ++r) {
-      const double scale = in_units ? task.per_unit[r] : 1.0;
+      const double scale =
+          in_units || (HWY_TARGET == HWY_SCALAR && task.per_unit != nullptr) ? task.per_unit[r] : 1.0;
       entry(r)[0] = static_cast<T>((point[r] - task.query[r]) * scale);
       entry(r)[1] = static_cast<T>((other_point[r] - task.query[r]) * scale);
     }
@@ -109,7 +111,8 @@ void break_ties_of(const TieTask& task) {
 
 template <int K>
 void break_ties_in(const TieTask& task) {
-  if constexpr (can_break_in_binary32(K))
+  if constexpr (can_break_in_binary32(K) &&
+                HWY_TARGET != HWY_SCALAR)  // whose one lane is no faster in binary32
     if (task.per_unit != nullptr) return break_ties_of<K, float>(task);
   break_ties_of<K, double>(task);
 }

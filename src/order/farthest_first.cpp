@@ -9,8 +9,9 @@
 #include <limits>
 #include <new>
 
-#undef HWY_TARGET_INCLUDE
+#ifndef HWY_TARGET_INCLUDE  // else several kernels are compiled together
 #define HWY_TARGET_INCLUDE "order/farthest_first.cpp"
+#endif
 #include <hwy/foreach_target.h>
 // After foreach_target.h
 #include <hwy/highway.h>

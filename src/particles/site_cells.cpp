@@ -4,6 +4,7 @@
 #include <delone/site_cells.hpp>
 
 #include "base/guarded.hpp"
+#include "base/infinity.hpp"
 #include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
 #include "particles/cell_centers.hpp"
@@ -30,7 +31,7 @@ namespace delone {
 namespace particles {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using internal::infinity;
 constexpr int most_dimension = 12;
 constexpr std::size_t vertices_in_part = 1024;
 

@@ -3,7 +3,7 @@
 #include "base/guarded.hpp"
 #include "base/progress_meter.hpp"
 #include "periodic/periodic_point_locator_impl.hpp"
-#include "queries/require_size.hpp"
+#include "queries/require_room.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ using periodic::NearestImage;
 using periodic::Place;
 using periodic::PlaceVisit;
 using periodic::WrappedQueries;
-using queries::require_size;
+using queries::require_room;
 
 PeriodicPointLocator::PeriodicPointLocator(const PeriodicTriangulation& triangulation, const Execution& how) {
   internal::guarded("the cells", [&] {
@@ -32,10 +32,10 @@ void PeriodicPointLocator::locate(std::span<const double> queries, const Periodi
                                   const Execution& how) const {
   const periodic::QueryParts& parts = impl_->parts;
   const std::size_t count = queries.size() / parts.dimension, r = parts.rank, corners = parts.corners;
-  require_size(to.kinds, count, "kinds");
-  require_size(to.cells, count, "cells");
-  require_size(to.offsets, count * r, "offsets");
-  require_size(to.barycentric, count * corners, "barycentric coordinates");
+  require_room(to.kinds, count, "kinds");
+  require_room(to.cells, count, "cells");
+  require_room(to.offsets, count * r, "offsets");
+  require_room(to.barycentric, count * corners, "barycentric coordinates");
   internal::guarded("the queries", [&] {
     const internal::ProgressMeter meter(how.progress);
     const WrappedQueries wrapped = parts.wrap(queries, how.threads);
@@ -142,9 +142,9 @@ void PeriodicPointLocator::nearest(std::span<const double> queries, const Period
                                    const Execution& how) const {
   const periodic::QueryParts& parts = impl_->parts;
   const std::size_t count = queries.size() / parts.dimension, r = parts.rank;
-  require_size(to.rows, count, "rows");
-  require_size(to.offsets, count * r, "offsets");
-  require_size(to.distances, count, "distances");
+  require_room(to.rows, count, "rows");
+  require_room(to.offsets, count * r, "offsets");
+  require_room(to.distances, count, "distances");
   internal::guarded("the queries", [&] {
     const internal::ProgressMeter meter(how.progress);
     const WrappedQueries wrapped = parts.wrap(queries, how.threads);

@@ -21,7 +21,7 @@ using polyhedra::within_limits;
 
 namespace {
 
-void require_size(std::size_t found, std::size_t expected, const char* what) {
+void require_entries(std::size_t found, std::size_t expected, const char* what) {
   if (found != expected)
     throw Error(Errc::bad_dimension, std::string(what) + " has " + std::to_string(found) + " entries, not " +
                                          std::to_string(expected));
@@ -48,10 +48,10 @@ struct AffineMap {
   AffineMap(const RationalRows& matrix, std::span<const Rational> translation, std::size_t num_rows,
             std::size_t num_columns) {
     if (!matrix.empty() || num_rows > 0) {
-      require_size(matrix.size(), num_rows, "the number of rows of the matrix: it");
-      if (num_rows > 0) require_size(matrix.width(), num_columns, "a row of the matrix");
+      require_entries(matrix.size(), num_rows, "the number of rows of the matrix: it");
+      if (num_rows > 0) require_entries(matrix.width(), num_columns, "a row of the matrix");
     }
-    if (!translation.empty()) require_size(translation.size(), num_rows, "the translation");
+    if (!translation.empty()) require_entries(translation.size(), num_rows, "the translation");
     for (std::size_t i = 0; i < num_rows; ++i) {
       std::vector<Rational> row(matrix[i].begin(), matrix[i].end());
       row.push_back(translation.empty() ? Rational() : translation[i]);
@@ -101,7 +101,7 @@ Row sum_of_points(const Row& a, const Row& b) {
 
 bool Polyhedron::contains(std::span<const Rational> point) const {
   const Description& own = impl_->description;
-  require_size(point.size(), own.dimension, "the point");
+  require_entries(point.size(), own.dimension, "the point");
   return internal::guarded("a query", [&] {
     const Row x = polyhedra::common_integers(point);
     return std::all_of(own.facets.begin(), own.facets.end(),
@@ -119,7 +119,7 @@ bool Polyhedron::includes(const Polyhedron& other) const {
 
 Optimum Polyhedron::maximize(std::span<const Rational> c) const {
   const Description& own = impl_->description;
-  require_size(c.size(), own.dimension, "the linear function");
+  require_entries(c.size(), own.dimension, "the linear function");
   return internal::guarded("an optimum", [&] {
     Optimum result;
     if (own.is_empty()) return result;

@@ -33,7 +33,7 @@ namespace mp = boost::multiprecision;
                                     "\" is not a rational number");
 }
 
-bool are_digits(std::string_view text) {
+bool are_all_digits(std::string_view text) {
   return std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
@@ -61,7 +61,7 @@ Fraction parse_decimal(std::string_view text, std::string_view whole) {
     digits += text.substr(point + 1);
     exponent -= static_cast<int>(text.size() - point - 1);
   }
-  if (digits.empty() || !are_digits(digits)) throw_no_number(whole);
+  if (digits.empty() || !are_all_digits(digits)) throw_no_number(whole);
   Fraction result{integer_of_digits(digits), 1};
   const Integer power = mp::pow(Integer(10), static_cast<unsigned>(std::abs(exponent)));
   (exponent < 0 ? result.denominator : result.numerator) *= power;
@@ -75,7 +75,8 @@ Fraction parse(std::string_view text) {
   Fraction result;
   if (const std::size_t slash = rest.find('/'); slash != std::string_view::npos) {
     const std::string_view above = rest.substr(0, slash), below = rest.substr(slash + 1);
-    if (above.empty() || below.empty() || !are_digits(above) || !are_digits(below)) throw_no_number(text);
+    if (above.empty() || below.empty() || !are_all_digits(above) || !are_all_digits(below))
+      throw_no_number(text);
     result = {integer_of_digits(above), integer_of_digits(below)};
     if (result.denominator == 0)
       throw Error(Errc::bad_format, "\"" + std::string(text) + "\" has the denominator 0");

@@ -11,8 +11,9 @@
 #include <bit>
 #include <cmath>
 
-#undef HWY_TARGET_INCLUDE
+#ifndef HWY_TARGET_INCLUDE  // else several kernels are compiled together
 #define HWY_TARGET_INCLUDE "polyhedra/sign_kernel.cpp"
+#endif
 #include <hwy/foreach_target.h>
 // After foreach_target.h
 #include <hwy/highway.h>
@@ -22,18 +23,18 @@ namespace delone::polyhedra {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Tag = hn::CappedTag<double, RoundedRows::block>;
+using RowTag = hn::CappedTag<double, RoundedRows::block>;
 
 /// The mask as bits, lane 0 first.
-HWY_INLINE unsigned bits_of(hn::Mask<Tag> mask) {
+HWY_INLINE unsigned bits_of(hn::Mask<RowTag> mask) {
   std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(Tag(), mask, bytes);
+  hn::StoreMaskBits(RowTag(), mask, bytes);
   return bytes[0];
 }
 
 std::size_t Signs(const RoundedRows& rows, const double* ray, std::size_t first, std::uint64_t* zeros,
                   std::uint64_t* open) {
-  const Tag tag;
+  const RowTag tag;
   const std::size_t d = rows.dimension(), m = rows.size(), stride = rows.stride(), lanes = hn::Lanes(tag);
   double largest = 0;
   for (std::size_t i = 0; i < d; ++i) largest = std::max(largest, std::abs(ray[i]));

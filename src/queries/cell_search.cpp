@@ -11,7 +11,7 @@
 #include "kernel/predicates.hpp"
 #include "queries/barycentric.hpp"
 #include "queries/box_tree.hpp"
-#include "queries/require_size.hpp"
+#include "queries/require_room.hpp"
 
 #include <delone/error.hpp>
 
@@ -27,7 +27,7 @@
 namespace delone {
 namespace {
 
-using queries::require_size;
+using queries::require_room;
 
 using Corners = std::vector<const double*>;
 using Flags = std::vector<unsigned char>;
@@ -201,10 +201,10 @@ void CellSearch::find(std::span<const double> queries, double radius, const Visi
 void CellSearch::locate(std::span<const double> queries, const LocatedArrays& to,
                         const Execution& how) const {
   const std::size_t count = queries.size() / impl_->d, width = impl_->d + 1;
-  require_size(to.kinds, count, "kinds");
-  require_size(to.cells, count, "cells");
-  require_size(to.barycentric, count * width, "barycentric coordinates");
-  require_size(to.distances, count, "distances");
+  require_room(to.kinds, count, "kinds");
+  require_room(to.cells, count, "cells");
+  require_room(to.barycentric, count * width, "barycentric coordinates");
+  require_room(to.distances, count, "distances");
   for_queries(*impl_, queries, how, [&](auto& searcher, std::size_t i) {
     const double* const q = &queries[i * impl_->d];
     const std::span<const SignedIndex> found = searcher.find(q, 0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The answers of PointLocator::locate() as arrays.
 #include "queries/point_locator_impl.hpp"
-#include "queries/require_size.hpp"
+#include "queries/require_room.hpp"
 
 #include <delone/error.hpp>
 
@@ -12,7 +12,7 @@
 namespace delone {
 namespace {
 
-using queries::require_size;
+using queries::require_room;
 
 SignedIndex row_of(const LocatedPoint& where, const CellNumbers& numbers) {
   return where.barycentric.empty() ? SignedIndex{-1} : numbers.row(where.cell);
@@ -24,10 +24,10 @@ void PointLocator::locate(std::span<const double> queries, const LocateOptions& 
                           const CellNumbers& numbers, const LocatedArrays& to, const Execution& how) const {
   const std::size_t count = queries.size() / static_cast<std::size_t>(impl_->dimension),
                     width = static_cast<std::size_t>(impl_->affine_dimension + 1);
-  require_size(to.kinds, count, "kinds");
-  require_size(to.cells, count, "cells");
-  require_size(to.barycentric, count * width, "barycentric coordinates");
-  require_size(to.distances, count, "distances");
+  require_room(to.kinds, count, "kinds");
+  require_room(to.cells, count, "cells");
+  require_room(to.barycentric, count * width, "barycentric coordinates");
+  require_room(to.distances, count, "distances");
   LocateOptions wanted = options;
   wanted.coordinates = !to.barycentric.empty();
   const auto put = [&](std::size_t query, const LocatedPoint& where) {

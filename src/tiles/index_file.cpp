@@ -8,7 +8,6 @@
 #include "tiles/part_file.hpp"
 
 #include <filesystem>
-#include <limits>
 
 namespace delone::tiles {
 
@@ -17,7 +16,6 @@ namespace {
 constexpr const char* format_name = "delone tiles";
 /// Programs that know version 1 alone would take the parts of a periodic set for those of an open one.
 constexpr std::int64_t version = 1, version_of_periodic = 2;
-constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max() - 1;
 
 /// Adds up numbers of parts. Throws bad_format for a sum that is not as expected.
 class Sum {
@@ -78,7 +76,7 @@ TilesIndex read_tiles_index(const std::string& folder, std::string& fingerprint)
     index.affine_dimension = static_cast<int>(members.number("affine_dimension", -1, index.dimension));
     index.weighted = members.flag("weighted");
     index.lattice = members.lattice(index.dimension);
-    index.num_points = members.number("num_points", 0, most);
+    index.num_points = members.number("num_points", 0, largest_count);
     index.num_vertices = members.number("num_vertices", 0, index.num_points);
     index.num_duplicates = members.number("num_duplicates", 0, index.num_points);
     index.num_hidden = members.number("num_hidden", 0, index.weighted ? index.num_points : 0);
@@ -86,8 +84,8 @@ TilesIndex read_tiles_index(const std::string& folder, std::string& fingerprint)
     for (const std::int64_t number : {index.num_vertices, index.num_duplicates, index.num_hidden})
       kinds.add(number);
     kinds.expect(index.num_points, "num_points", name);
-    index.num_cells = members.number("num_cells", 0, most);
-    index.num_hull_facets = members.number("num_hull_facets", 0, most);
+    index.num_cells = members.number("num_cells", 0, largest_count);
+    index.num_hull_facets = members.number("num_hull_facets", 0, largest_count);
     const auto hash = members.words<2>("hash");
     index.hash = {hash[0], hash[1]};
     fingerprint = members.text("input");
@@ -106,11 +104,11 @@ TilesIndex read_tiles_index(const std::string& folder, std::string& fingerprint)
       part.num_cells = given.number("num_cells", 0, index.num_cells - next);
       part.num_points = given.number("num_points", 0, index.num_points);
       part.num_vertices = given.number("num_vertices", 0, part.num_points);
-      part.num_foreign = given.number("num_foreign", 0, most);
-      part.num_rounds = given.number("num_rounds", 0, most);
-      part.num_bytes = given.number("num_bytes", 0, most);
+      part.num_foreign = given.number("num_foreign", 0, largest_count);
+      part.num_rounds = given.number("num_rounds", 0, largest_count);
+      part.num_bytes = given.number("num_bytes", 0, largest_count);
       part.crc32 = given.number("crc32", 0, largest_crc32);
-      part.num_seam_bytes = given.number("num_seam_bytes", 0, most);
+      part.num_seam_bytes = given.number("num_seam_bytes", 0, largest_count);
       part.seam_crc32 = given.number("seam_crc32", 0, largest_crc32);
       next += part.num_cells;
       cells.add(part.num_cells);

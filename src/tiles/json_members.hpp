@@ -135,6 +135,8 @@ inline void write_json(const std::string& path, const nlohmann::ordered_json& js
 }
 
 inline constexpr std::int64_t largest_crc32 = std::numeric_limits<std::uint32_t>::max();
+/// Of points, cells or bytes.
+inline constexpr std::int64_t largest_count = std::numeric_limits<std::int64_t>::max() - 1;
 
 /// 16 hexadecimal digits per word.
 template <std::size_t n>

@@ -3,8 +3,9 @@
 
 #include "base/compiled_dimension.hpp"
 
-#undef HWY_TARGET_INCLUDE
+#ifndef HWY_TARGET_INCLUDE  // else several kernels are compiled together
 #define HWY_TARGET_INCLUDE "tiles/question_kernel.cpp"
+#endif
 #include <hwy/foreach_target.h>
 // After foreach_target.h
 #include <hwy/highway.h>

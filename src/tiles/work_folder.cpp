@@ -23,9 +23,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* format_name = "delone plan of tiles";
-constexpr std::int64_t version = 1;
-constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max() - 1;
+constexpr const char* plan_format = "delone plan of tiles";
+constexpr std::int64_t plan_version = 1;
 constexpr const char* plan_name = "plan.json";
 
 std::string record_name(std::size_t t) { return fmt::format("tile-{:04}.json", t); }
@@ -90,7 +89,7 @@ std::optional<TileRecord> find_record(const std::string& work, std::size_t t) {
     const nlohmann::json json = read_json(path);
     const JsonMembers members(json, io::input_name(path));
     TileRecord record;
-    const auto count = [&](const char* member) { return members.number(member, 0, most); };
+    const auto count = [&](const char* member) { return members.number(member, 0, largest_count); };
     record.num_cells = count("num_cells");
     record.num_points = count("num_points");
     record.num_seams = count("num_seams");
@@ -123,8 +122,8 @@ bool has_size(const std::string& path, std::int64_t expected) {
 
 void write_plan(const std::string& work, const Plan& plan) {
   nlohmann::ordered_json json;
-  json["format"] = format_name;
-  json["version"] = version;
+  json["format"] = plan_format;
+  json["version"] = plan_version;
   json["dimension"] = plan.dimension;
   json["affine_dimension"] = plan.affine_dimension;
   json["weighted"] = plan.weighted;
@@ -139,13 +138,13 @@ Plan read_plan(const std::string& work) {
   const std::string path = path_in(work, plan_name), name = io::input_name(path);
   const nlohmann::json json = read_json(path);
   const JsonMembers members(json, name);
-  members.require_format(format_name, version, "a plan of tiles");
+  members.require_format(plan_format, plan_version, "a plan of tiles");
   Plan plan;
   plan.dimension = static_cast<int>(members.number("dimension", 1, std::numeric_limits<int>::max() - 1));
   plan.affine_dimension = static_cast<int>(members.number("affine_dimension", -1, plan.dimension));
   plan.weighted = members.flag("weighted");
   plan.lattice = members.lattice(plan.dimension);
-  plan.num_points = members.number("num_points", 0, most);
+  plan.num_points = members.number("num_points", 0, largest_count);
   plan.num_tiles =
       static_cast<std::size_t>(members.number("num_tiles", 0, std::numeric_limits<std::int32_t>::max()));
   plan.fingerprint = members.text("input");

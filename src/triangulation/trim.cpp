@@ -22,6 +22,7 @@
 #include <delone/trim.hpp>
 
 #include "base/guarded.hpp"
+#include "base/infinity.hpp"
 #include "base/progress_meter.hpp"
 #include "base/require_tolerance.hpp"
 #include "kernel/double_double.hpp"
@@ -38,8 +39,8 @@
 namespace delone {
 namespace {
 
+using internal::infinity;
 using kernel::Integer;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// a + b, rounded up.
 double sum_above(double a, double b) {

@@ -5,6 +5,7 @@
 
 #include "base/compensated_sum.hpp"
 #include "base/guarded.hpp"
+#include "base/infinity.hpp"
 #include "base/length.hpp"
 #include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
@@ -25,7 +26,7 @@
 namespace delone {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using internal::infinity;
 
 DataKind kind_of_dual(TriangulationKind kind) {
   switch (kind) {

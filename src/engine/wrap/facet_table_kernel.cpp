@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/wrap/facet_table_kernel.hpp"
 
-#undef HWY_TARGET_INCLUDE
+#ifndef HWY_TARGET_INCLUDE  // else several kernels are compiled together
 #define HWY_TARGET_INCLUDE "engine/wrap/facet_table_kernel.cpp"
+#endif
 #include <hwy/foreach_target.h>
 // After foreach_target.h
 #include <hwy/highway.h>

@@ -17,8 +17,7 @@
 namespace delone::hull {
 namespace {
 
-constexpr double unit = kernel::unit_roundoff;
-constexpr double absolute = 0x1p-500;
+using kernel::unit_roundoff;
 
 class Search {
  public:
@@ -86,9 +85,10 @@ class Search {
       size += std::fabs(n[j]) * sieve_.box().reach[j];
     }
     const auto dimension = static_cast<double>(d_);
-    const double length = std::sqrt(square) * (1 + (dimension + 4) * unit);
+    const double length = std::sqrt(square) * (1 + (dimension + 4) * unit_roundoff);
     if (!(length > 0x1p-400 && length < 0x1p400)) return internal::infinity;
-    return tolerance_ * length * (1 + 4 * unit) + 2.02 * (dimension + 3) * unit * size * 1.01 + absolute;
+    return tolerance_ * length * (1 + 4 * unit_roundoff) +
+           2.02 * (dimension + 3) * unit_roundoff * size * 1.01 + underflow_slack;
   }
 
   /// Whether n proves that v is farther than the tolerance from the hull of all other points.

@@ -17,18 +17,18 @@ namespace delone::io {
 
 namespace {
 
-enum class Type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+enum class ScalarType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
-std::size_t size_of(Type type) {
+std::size_t size_of(ScalarType type) {
   constexpr std::array<std::size_t, 8> sizes{1, 1, 2, 2, 4, 4, 4, 8};
   return sizes[static_cast<std::size_t>(type)];
 }
 
 struct Property {
   std::string name;
-  Type type = Type::float32;
+  ScalarType type = ScalarType::float32;
   bool is_list = false;
-  Type count_type = Type::uint8;
+  ScalarType count_type = ScalarType::uint8;
 };
 
 struct Element {
@@ -44,7 +44,7 @@ struct Header {
   std::vector<Element> elements;
 };
 
-Type parse_type(const TextCursor& at, std::string_view text) {
+ScalarType parse_type(const TextCursor& at, std::string_view text) {
   constexpr std::array<std::array<std::string_view, 2>, 8> names{{{"char", "int8"},
                                                                   {"uchar", "uint8"},
                                                                   {"short", "int16"},
@@ -54,7 +54,7 @@ Type parse_type(const TextCursor& at, std::string_view text) {
                                                                   {"float", "float32"},
                                                                   {"double", "float64"}}};
   for (std::size_t i = 0; i < names.size(); ++i)
-    if (text == names[i][0] || text == names[i][1]) return static_cast<Type>(i);
+    if (text == names[i][0] || text == names[i][1]) return static_cast<ScalarType>(i);
   fail(Errc::bad_format, "{}: {} is not a type of PLY", at.place(), messages::in_quotes(text));
 }
 
@@ -72,7 +72,7 @@ Property parse_property(TextCursor& at) {
   if (type == "list") {
     property.is_list = true;
     property.count_type = parse_type(at, word(at));
-    if (property.count_type >= Type::float32)
+    if (property.count_type >= ScalarType::float32)
       fail(Errc::bad_format, "{}: the length of a list must be an integer", at.place());
     type = word(at);
   }
@@ -137,11 +137,11 @@ class AsciiSource {
  public:
   explicit AsciiSource(TextCursor at) : at_(std::move(at)) {}
   bool done() { return !at_.find_content(); }
-  double value(Type) { return at_.number("a value"); }
-  std::uint64_t list_length(Type) {
+  double value(ScalarType) { return at_.number("a value"); }
+  std::uint64_t list_length(ScalarType) {
     return at_.count("the length of a list", std::numeric_limits<std::uint64_t>::max());
   }
-  void skip_value(Type) { at_.token(); }
+  void skip_value(ScalarType) { at_.token(); }
   std::string place(std::uint64_t) const { return at_.place(); }
   /// Lists must be walked through, and here so must everything.
   bool try_skip(std::uint64_t, std::uint64_t) { return false; }
@@ -160,32 +160,32 @@ class BinarySource {
         swap_(big_endian != (std::endian::native == std::endian::big)) {}
 
   bool done() const { return bytes_.empty(); }
-  double value(Type type) {
+  double value(ScalarType type) {
     switch (type) {
-      case Type::int8:
+      case ScalarType::int8:
         return take<std::int8_t>();
-      case Type::uint8:
+      case ScalarType::uint8:
         return take<std::uint8_t>();
-      case Type::int16:
+      case ScalarType::int16:
         return take<std::int16_t>();
-      case Type::uint16:
+      case ScalarType::uint16:
         return take<std::uint16_t>();
-      case Type::int32:
+      case ScalarType::int32:
         return take<std::int32_t>();
-      case Type::uint32:
+      case ScalarType::uint32:
         return take<std::uint32_t>();
-      case Type::float32:
+      case ScalarType::float32:
         return static_cast<double>(take<float>());
       default:
         return take<double>();
     }
   }
-  std::uint64_t list_length(Type type) {
+  std::uint64_t list_length(ScalarType type) {
     const double length = value(type);
     if (length < 0) fail(Errc::bad_format, "{}: a list of negative length", name_);
     return static_cast<std::uint64_t>(length);
   }
-  void skip_value(Type type) { skip(size_of(type)); }
+  void skip_value(ScalarType type) { skip(size_of(type)); }
   std::string place(std::uint64_t row) const { return fmt::format("{}: vertex {}", name_, row); }
   /// Skips `count` records of `size` bytes at once.
   bool try_skip(std::uint64_t count, std::uint64_t size) {

@@ -9,8 +9,9 @@
 #include "base/compiled_dimension.hpp"
 #include "particles/pass/exact_sums.hpp"
 
-#undef HWY_TARGET_INCLUDE
+#ifndef HWY_TARGET_INCLUDE  // else several kernels are compiled together
 #define HWY_TARGET_INCLUDE "particles/pass/pieces_kernel.cpp"
+#endif
 #include <hwy/foreach_target.h>
 // After foreach_target.h
 #include <hwy/highway.h>
