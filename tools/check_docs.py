@@ -70,9 +70,9 @@ def libraries_of(build):
 
 def find_library(build):
     for name in ("libdelone.a", "libdelone.so"):
-        found = sorted(build.rglob(name))
-        if found:
-            return found[0]
+        found = list(build.rglob(name))
+        if found:  # an installed copy in the build may be older
+            return max(found, key=lambda path: path.stat().st_mtime)
     raise DocsError(f"{build} holds no libdelone: build it first")
 
 
