@@ -175,7 +175,7 @@ class DELONE_EXPORT Triangulation {
   /// undone. Cost: that of the change. Throws Errc::invalid_argument unless can_undo().
   void undo();
 
-  /// While changes are recorded, a call that makes all cells also sorts them, as sort_cells() does. That
+  /// While something is recorded, a call that makes all cells also sorts them, as sort_cells() does. That
   /// takes up to about a third of the time of a batch. From now on such calls leave it out. Call sort_cells()
   /// when you need ids of cells; before the next change, it keeps what is recorded.
   void sort_cells_later(bool wanted = true);
