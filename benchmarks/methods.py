@@ -7,8 +7,8 @@
   benchmarks/methods.py build/bench --record               also benchmarks/history/DATE-COMMIT-methods.json
 
 Figures are seconds of processor time of the conversion of the cone, with one thread, the least of the rounds; the three take turns. "steps" is the double
-description, "insertion" that of points or halfspaces; "-" where it is none for the input. A method that takes more than --patience times as long as
-the choice, and at least a second, is stopped: ">" and that time. "ratio" is the choice by the better method, and "lost" the seconds between
+description, "insertion" that of points or halfspaces; "-" where it does not suit the input. A method that takes more than --patience times as long as
+the choice, and at least a second, is stopped: ">" and that time. "ratio" is the time of the choice over that of the better method, and "lost" the seconds between
 them. All that end must find the same number of rays."""
 import argparse
 import pathlib

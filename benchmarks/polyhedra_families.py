@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Polyhedra of many kinds as files of cddlib and lrs, in four sets: NAMED, which the methods were chosen by; HELD_OUT, other families, dimensions
-and seeds, which later changes were tuned by as well; UNSEEN, again others, which conversions were first measured by when they were complete, and the choice
-of methods was tuned by afterwards; and LATER, in few dimensions, where there is a choice, written before any of them was measured and tuned by for nothing.
+"""Polyhedra of many kinds as files of cddlib and lrs, in four sets. The methods were chosen by NAMED. HELD_OUT has other families, dimensions
+and seeds, by which later changes were tuned as well. UNSEEN has others again: conversions were complete when they were first measured by these, and the choice
+of methods was tuned by them afterwards. LATER has few dimensions, where there is a choice; nothing was tuned by it.
 
 A member is a function without arguments that returns an H (inequalities) or V (generators) with rows of integers, homogeneous coordinate first:
 b + a·x ≥ 0 and (1, v), (0, r), as these programs have them."""

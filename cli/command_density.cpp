@@ -40,7 +40,8 @@ std::vector<std::size_t> chosen_shape(const std::string& text, std::size_t d) {
   std::vector<std::size_t> shape;
   for (const std::string& item : split_list(text)) {
     const auto parts = parse_count(item);
-    if (!parts || *parts == 0) throw UsageError(fmt::format("--grid {}: numbers of parts, at least 1", text));
+    if (!parts || *parts == 0)
+      throw UsageError(fmt::format("--grid {}: expected numbers of parts, at least 1", text));
     shape.push_back(*parts);
   }
   if (shape.size() == 1) shape.resize(d, shape[0]);
@@ -146,7 +147,7 @@ int run_density(DensityOptions options) {
       [&](const Options& build_options) {
         const PointTable points = taken();
         Delaunay<> t(points.coordinates, points.dimension, build_options);
-        t.sort_cells();  // in which order values are added does not depend on the threads
+        t.sort_cells();  // so the order in which values are added does not depend on threads
         return t;
       },
       grid, masses, cost, start, options);
@@ -168,7 +169,7 @@ Run add_density(CLI::App& app) {
       ->type_name("S");
   app.add_option(
          "--box", options->box,
-         "What is divided: all lower limits, then all upper ones. By default the smallest box with all "
+         "The box to divide: all lower limits, then all upper ones. By default the smallest box with all "
          "points, or that of the lattice")
       ->delimiter(',')
       ->type_name("LOW,...,HIGH,...");
@@ -179,9 +180,9 @@ Run add_density(CLI::App& app) {
   options->build.add_construction(app);
   options->periodic.add_to(app);
   app.footer(
-      "A particle of mass m, 1 if not given, has the density (d+1) m over the volume of\n"
-      "all cells of the Delaunay triangulation that contain it. Between particles it is\n"
-      "linear in each cell. Outside of the convex hull it is 0.");
+      "The density at a particle of mass m, 1 if not given, is (d+1) m over the volume\n"
+      "of all cells of the Delaunay triangulation that have it as a vertex. Between\n"
+      "particles it is linear in each cell. Outside of the convex hull it is 0.");
   return [options] { return run_density(*options); };
 }
 

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # A build from nothing compiles many sources together: what they include is then parsed once, and templates that they share are compiled
-# once, in half of the time. Names in anonymous namespaces differ among sources that are compiled together.
+# once. That takes half of the time. Names in anonymous namespaces differ among sources that are compiled together.
 # In the preset dev each source is compiled by itself, so that it includes what it uses.
 
 # delone_unite(<target> <files> [ACROSS_FOLDERS]): compiles the sources of a folder together, in parts of equal size of at most so many
-# files, and with ACROSS_FOLDERS small folders with the one before. A source with compile options of its own, and one that Highway compiles
+# files. With ACROSS_FOLDERS small folders are joined to the one before. A source with compile options of its own, and one that Highway compiles
 # for several instruction sets, stays alone.
 function(delone_unite target files)
   if(CMAKE_DISABLE_PRECOMPILE_HEADERS)
@@ -25,7 +25,7 @@ function(delone_unite target files)
     list(APPEND sources_${key} ${source})
   endforeach()
   list(REMOVE_DUPLICATES folders)
-  set(in_group ${files})  # of the group that was begun last
+  set(in_group ${files})  # the number of files in the group that was begun last
   foreach(folder ${folders})
     string(MAKE_C_IDENTIFIER "${folder}" key)
     list(LENGTH sources_${key} number)

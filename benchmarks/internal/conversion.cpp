@@ -5,7 +5,7 @@
 //
 // It prints the number of rays, and the seconds of processor time of the conversion of the cone alone:
 // reading, redundancy and order of the result are the same for all. Short ones are repeated, and the mean is
-// printed. Where insertion is none for the file, it prints "none". benchmarks/methods.py compares them.
+// printed. If insertion does not suit the file, it prints "none". benchmarks/methods.py compares them.
 #include "polyhedra/cone.hpp"
 #include "polyhedra/double_description.hpp"
 #include "polyhedra/fraction.hpp"

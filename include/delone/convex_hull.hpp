@@ -20,7 +20,7 @@
 
 namespace delone {
 
-/// The simplices of the boundary of a convex hull, and its vertices: members of HullData.
+/// The simplices of the boundary of a convex hull, and its vertices, as the same members of HullData.
 struct DELONE_EXPORT_TYPE HullCells {
   int affine_dimension = -1;  ///< k
   std::vector<SignedIndex> cells, neighbors, vertices;
@@ -95,7 +95,7 @@ class DELONE_EXPORT ConvexHullBase {
   /// differs from that of the row, evaluated without error, by at most the entry of `equation_errors`. For k
   /// < d the normals are parallel to the flat and the errors infinite.
   const HullData& data() const;
-  /// Some of these arrays, made at each call. Costs less than data() the first time.
+  /// Some of these arrays, made anew at each call. Costs less than the first call of data().
   HullCells to_cells() const;
   /// A copy of data(), with the points.
   HullData to_data(bool with_points = true) const;

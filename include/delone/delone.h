@@ -382,8 +382,8 @@ DELONE_C_API int delone_move(delone_object* triangulation, const int64_t* rows, 
 
 /* A time step of a periodic triangulation: a new one of as many points, where those of each row have moved to,
  * with the options of the first. `weights`: of "periodic_regular", or NULL for the same. `lattice`: as many
- * vectors as before, or NULL for the same. Where most points have moved little it takes about half the time of
- * a construction. `before` stays as it is. Errors: as for the construction. */
+ * vectors as before, or NULL for the same. If most points have moved little it takes about half the time of a
+ * construction. `before` stays as it is. Errors: as for the construction. */
 DELONE_C_API int delone_periodic_moved(const delone_object* before, const double* points, size_t num_points,
                                        const double* weights, const double* lattice, delone_object** object);
 

@@ -2,10 +2,10 @@
 // The density of particles by the Delaunay tessellation field estimator (DTFE): Schaap and van de Weygaert,
 // "Continuous fields and discrete samples", Astronomy & Astrophysics 363 (2000), L29–L32.
 //
-// The density at a particle of mass m is (k+1)·m/W, where W is the volume of its star, all finite cells of
-// the Delaunay triangulation that contain it. Between particles it is linear in each cell, so it is
-// continuous, and its integral over all cells is the sum of the masses. A LinearInterpolator, or a
-// PeriodicLinearInterpolator, with these densities as values has it at any place.
+// The density at a particle of mass m is (k+1)·m/W. W is the volume of its star: all finite cells of the
+// Delaunay triangulation that have it as a vertex. Between particles the density is linear in each cell, so
+// it is continuous, and its integral over all cells is the sum of the masses. A LinearInterpolator, or a
+// PeriodicLinearInterpolator, with these densities as values evaluates it at any place.
 #pragma once
 
 #include <delone/data.hpp>
@@ -22,21 +22,21 @@
 namespace delone {
 
 /// The DTFE density at each row of the points, n numbers; NaN for removed rows. `masses`: one finite number,
-/// also a negative one, for each row; empty: 1 each. Particles at one point add up, and all have its density.
-/// Stars of vertices at the convex hull end there, so densities at the hull are too high.
+/// also a negative one, for each row; empty: 1 each. Masses at one point add up, and all rows there have the
+/// same density. Stars of vertices at the convex hull end there, so densities at the hull are too high.
 ///
-/// Points that span only a k-flat have masses per k-volume in it; k = 0: the sum of the masses.
-/// Accuracy: each cell of a star is off by at most 2⁻⁵⁰ of the volume of the star, where necessary by
-/// integers. A density beyond the range of doubles is infinite. No result depends on the number of threads or
-/// the order of insertion, to the last bit. Cost: O(m·2^k·k) for m cells, in space about that of the
-/// triangulation. Throws Errc::bad_dimension for another number of masses, not_finite (rows() names them),
-/// unsupported (k > 12; points have weights or the triangulation is a furthest-site one), cancelled,
-/// out_of_memory.
+/// For points that span only a k-flat, densities are masses per k-volume; for k = 0, the sum of the masses.
+/// Accuracy: the volume of each cell is off by at most 2⁻⁵⁰ of that of the star; where binary64 does not
+/// achieve this, integers do. A density beyond the range of doubles is infinite. Results are the same to the
+/// last bit for every number of threads and order of insertion. Cost: O(c·2^k·k) for c cells, in space about
+/// that of the triangulation. Throws Errc::bad_dimension for another number of masses, not_finite (rows()
+/// names them), unsupported (k > 12; points have weights or the triangulation is a furthest-site one),
+/// cancelled, out_of_memory.
 DELONE_EXPORT std::vector<double> dtfe_densities(const Triangulation& triangulation,
                                                  std::span<const double> masses = {},
                                                  const Execution& how = {});
-/// The same of a periodic set: the integral over one period is the sum of the masses. Lengths are those of
-/// the points on the grid.
+/// The same of a periodic set: the integral over one period is the sum of the masses. Volumes are those of
+/// the points on the grid of the set.
 DELONE_EXPORT std::vector<double> dtfe_densities(const PeriodicTriangulation& triangulation,
                                                  std::span<const double> masses = {},
                                                  const Execution& how = {});
@@ -49,16 +49,17 @@ struct DELONE_EXPORT DensityGrid {
   std::vector<std::size_t> shape;  ///< d, each at least 1
 
   static DensityGrid of(const Box& box, std::vector<std::size_t> shape);
-  /// That of one period from the origin of coordinates on, for a lattice of d vectors. Throws
-  /// Errc::invalid_argument for fewer.
+  /// The box that the d vectors of a lattice span from the origin of coordinates. Throws
+  /// Errc::invalid_argument for fewer vectors.
   static DensityGrid of(const Lattice& lattice, std::vector<std::size_t> shape);
 };
 
 /// The function that is linear in each cell and has these values at the rows, such as dtfe_densities(), on a
-/// grid: one number for each part of it, the last axis fastest. It is the mean of the values at samples^d
-/// places, the centers of as many equal parts of the part. It is 0 outside of the convex hull.
+/// grid: one number for each part of it, the last axis fastest. This is the mean of the function at samples^d
+/// places, the centers of as many equal parts of the part. Outside of the convex hull the function is 0.
 ///
-/// The sum times the volume of a part tends to the integral as 1/(shape·samples)², but is not equal to it.
+/// The sum times the volume of a part is not quite the integral; the difference tends to 0 as
+/// 1/(shape·samples)².
 /// Throws as LinearInterpolator and PeriodicLinearInterpolator; Errc::invalid_argument for a grid of other
 /// dimensions, or with numbers that are not finite, and for samples of 0; too_many. Cost: that of a query for
 /// each place.

@@ -64,8 +64,8 @@ struct PeriodicOptions {
 ///
 /// *Result.* Exact for the points on the grid, ties perturbed as in Triangulation. It is a function of the
 /// set S + L: not of which translates were given, of the basis of the lattice, order or seed. Arrays are
-/// functions of the given points and the lattice, also after moved(). Of points that
-/// are translates of each other the first counts, the others are duplicates; with weights the heaviest.
+/// functions of the given points and the lattice, also after moved(). Of points that are translates of each
+/// other the first counts, the others are duplicates; with weights the heaviest counts.
 /// Method: the points in the box and as many images as their cells are in conflict with
 /// (docs/decisions/0038-periodic-sets-have-ghosts.md). Cost: in space for uniform points about twice that of
 /// the triangulation of the points alone; more for few points.
@@ -159,13 +159,13 @@ class PeriodicDelaunay : public PeriodicTriangulation {
       : PeriodicTriangulation(coordinates_of(points, lattice), {}, false, lattice,
                               D == dynamic ? lattice.dimension : D, how, options) {}
 
-  /// A time step: what a new construction of these points would be, with the options of this one; point i is
-  /// where that of row i has moved to. They may be anywhere, as at first. Where most points have moved
-  /// little, beyond the border or not, a copy of the triangulation is repaired and certified: steps by a
-  /// thousandth of the mean distance of neighbors take some 0.5 of a construction in space. Otherwise
-  /// everything is constructed. This object stays as it is; t = t.moved(points) goes on. With another
-  /// lattice, of the same rank, for boxes that change. Throws as the constructor; bad_dimension also for
-  /// another number of points.
+  /// A time step: what a new construction of these points would be, with the options of this one. Point i is
+  /// where that of row i has moved to, anywhere, as at first. If most points have moved little, beyond the
+  /// border or not, a copy of the triangulation is repaired and certified; otherwise everything is
+  /// constructed. In space, with steps of a thousandth of the mean distance of neighbors, it takes about half
+  /// the time of a construction. This object stays as it is; t = t.moved(points) goes on. `lattice`: another
+  /// one of the same rank, for boxes that change. Throws as the constructor; bad_dimension also for another
+  /// number of points.
   PeriodicDelaunay moved(const AnyPoints<D>& to) const { return {*this, to, nullptr}; }
   PeriodicDelaunay moved(const AnyPoints<D>& to, const Lattice& lattice) const {
     return {*this, to, &lattice};

@@ -187,18 +187,18 @@ struct DELONE_EXPORT_TYPE PolyhedraIntersection {
   Polyhedron polyhedron;
 };
 
-/// The intersections of two and more of the polyhedra, those of full affine dimension d: first of two, then
-/// of three, and so on, each number of members in lexicographic order. `most_members`: 2 finds pairs alone; 0
-/// is no limit. n polyhedra that all have a common part have 2^n − n − 1 of them. Throws Errc::bad_dimension
-/// unless all have the same d, otherwise as what makes a Polyhedron.
+/// The intersections of two or more of the polyhedra, if they have full affine dimension d: first of two,
+/// then of three, and so on, each number of members in lexicographic order. `most_members`: 2 finds pairs
+/// alone; 0 is no limit. n polyhedra that all have a common part have 2^n − n − 1 of them. Throws
+/// Errc::bad_dimension unless all have the same d, otherwise as what makes a Polyhedron.
 DELONE_EXPORT std::vector<PolyhedraIntersection> intersections(std::span<const Polyhedron> polyhedra,
                                                                std::size_t most_members = 0,
                                                                const Options& options = {});
 
-/// The d-dimensional volume of the union, exact: nothing if it is infinite, 0 without polyhedra. Each
-/// polyhedron counts what the earlier ones have not: its volume less that of the union of its intersections
-/// with them. Intersections within others, and those without volume, are left out. The number of the others
-/// is what is paid for: without such, and if all polyhedra have a common part, 2^n. Throws as
+/// The d-dimensional volume of the union, exact; nothing if it is infinite, 0 without polyhedra. Each
+/// polyhedron adds what the earlier ones do not have: its volume less that of the union of its intersections
+/// with them. Intersections within others, and those without volume, are left out. Cost: that of the
+/// remaining ones, which are 2^n if all polyhedra have a common part and nothing is left out. Throws as
 /// intersections().
 DELONE_EXPORT std::optional<Rational> union_volume(std::span<const Polyhedron> polyhedra,
                                                    const Options& options = {});

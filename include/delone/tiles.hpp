@@ -86,10 +86,10 @@ struct TilesIndex {
 
 /// The contents of the file of one part. A cell belongs to the tile of its lexicographically smallest vertex.
 ///
-/// In a periodic set each row has one point, its translate in the box of the lattice: where the coefficients
-/// are in [0, 1), in terms of short vectors with the same translations as the given ones. (Of a box along the
-/// axes these are the given ones.) The points of the tile itself come first. Offsets count from these points.
-/// Seams are also where cells meet translates of their part.
+/// In a periodic set each row has one point, its translate in the box of the lattice: with coefficients in
+/// [0, 1) in terms of short vectors that span the same lattice. (For a box along the axes these are the given
+/// vectors.) The points of the tile itself come first. Offsets count from these points. Cells also have seams
+/// where they meet translates of their own part.
 struct TileData {
   int dimension = 0, affine_dimension = -1;
   int rank = 0;                     ///< r: the vectors of the lattice; 0: an open set

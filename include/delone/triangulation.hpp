@@ -141,24 +141,25 @@ class DELONE_EXPORT Triangulation {
   /// The hidden rows, increasing. O(rows).
   std::vector<std::size_t> hidden_rows() const;
 
-  /// Removes one row, or several. To remove a row that is alone at its place costs as much as 1.2 (2D) to 5
-  /// (6D) insertions there. Hidden points that may become vertices are inserted again; if they are most of
-  /// the points, everything is rebuilt. The first edit also scans all rows, and in a regular or furthest-site
-  /// triangulation locates each hidden point. Throws Errc::invalid_argument, naming the row and its place in
-  /// the list, if a row does not exist or is listed twice; cancelled, out_of_memory and time_limit (Options).
+  /// Removes one row, or several. Removing a row that is alone at its place costs about as much as 0.7 (2D)
+  /// to 5 (6D) insertions there. Hidden points that may become vertices are inserted again; if they are most
+  /// of the points, everything is rebuilt. The first edit also scans all rows, and in a regular or
+  /// furthest-site triangulation locates each hidden point. Throws Errc::invalid_argument, naming the row and
+  /// its place in the list, if a row does not exist or is listed twice; cancelled, out_of_memory and
+  /// time_limit (Options).
   void remove(std::size_t row) { remove(std::span(&row, 1)); }
   void remove(std::span<const std::size_t> rows);
 
   /// From now on changes() tells what each insertion, edit and undo() did. Until the next change, a record is
-  /// kept in memory as by record_undo(), but of old cells that were all replaced only their ids. A single
-  /// insertion or edit then takes up to twice as long. One thread inserts a batch; if it has more points than
-  /// the triangulation, several threads rebuild all cells instead.
+  /// kept in memory as by record_undo(); if all cells were replaced, it has only the ids of the old ones. A
+  /// single insertion or edit then takes up to twice as long. One thread inserts a batch; if it has more
+  /// points than the triangulation, several threads rebuild all cells instead.
   void record_changes(bool wanted = true);
   /// What the last edit, insertion or undo() did; a call without any row or point does not count. The lists
   /// are made when they are first asked for, or before the next change: O(cells that changed), and after a
-  /// batch O(cells). Empty after compact_ids() and compact(), and after sort_cells() unless all cells were
-  /// new: then they have their new ids. Throws Errc::invalid_argument unless record_changes() is on,
-  /// out_of_memory.
+  /// batch O(cells). Empty after compact_ids() and compact(), and after sort_cells() unless the last change
+  /// made all cells: then the lists have their new ids. Throws Errc::invalid_argument unless record_changes()
+  /// is on, out_of_memory.
   const Changes& changes() const;
   /// Those of changes().removed_cells that were infinite, in ascending order. Throws as changes().
   const std::vector<CellId>& removed_infinite_cells() const;
@@ -174,9 +175,9 @@ class DELONE_EXPORT Triangulation {
   /// undone. Cost: that of the change. Throws Errc::invalid_argument unless can_undo().
   void undo();
 
-  /// While something is recorded, a call that makes all cells also sorts them, as sort_cells() does, which
-  /// takes up to a third of the time of a batch. From now on it does not: sort_cells() may be called when ids
-  /// of cells are needed, and if that is before the next change, it keeps what is recorded.
+  /// While something is recorded, a call that makes all cells also sorts them, as sort_cells() does. That
+  /// takes up to about a third of the time of a batch. From now on such calls leave it out. Call sort_cells()
+  /// when you need ids of cells; before the next change, it keeps what is recorded.
   void sort_cells_later(bool wanted = true);
 
   /// Renumbers rows and vertices without gaps, in their present order, and returns the new numbers. Nothing

@@ -20,7 +20,7 @@ def dtfe_densities(self, masses=None) -> np.ndarray:
     Returns
     -------
     (n,) ndarray of float64
-        (k+1) m / W for a point of mass m, where W is the volume of all cells that contain it; NaN for removed rows.
+        (k+1) m / W for a point of mass m, where W is the volume of all cells that have it as a vertex; NaN for removed rows.
 
     Raises
     ------
@@ -38,10 +38,10 @@ def dtfe_densities(self, masses=None) -> np.ndarray:
 
     Notes
     -----
-    The function that is linear in each cell and has these values is continuous, and its integral is the sum of the masses; in a periodic set
-    that over one period. Without a lattice, densities at the convex hull are too high, since cells end there. Each cell is off by at most
-    2^-50 of the volume of the star. Nothing depends on the number of threads. Points that span only a k-flat have masses per k-volume in it. From W. E. Schaap
-    and R. van de Weygaert, "Continuous fields and discrete samples", A&A 363 (2000), L29.
+    The function that is linear in each cell and has these values is continuous. Its integral is the sum of the masses, in a periodic set over
+    one period. Without a lattice, densities at the convex hull are too high, since cells end there. The volume of each cell is off by at most
+    2^-50 of W. Results are the same to the last bit for every number of threads. If the points span only a k-flat, densities are masses per
+    k-volume. From W. E. Schaap and R. van de Weygaert, "Continuous fields and discrete samples", A&A 363 (2000), L29.
 
     Examples
     --------
@@ -66,8 +66,8 @@ def dtfe_density(points, shape, *, masses=None, box=None, lattice=None, samples=
     masses : (n,) array_like, optional
         The mass of each particle, any finite number; 1 by default.
     box : (low, high), optional
-        Two arrays (d,): the grid divides this box. By default it is the smallest one with all points; of a periodic set, that of its lattice,
-        from the origin of coordinates along its vectors, which need not be orthogonal.
+        Two arrays (d,): the grid divides this box. By default it is the smallest one with all points. In a periodic set it is the one
+        that the lattice vectors span from the origin of coordinates; they need not be orthogonal.
     lattice : float or array_like, optional
         As for `PeriodicDelaunay`: the set is periodic. Not with a triangulation.
     samples : int, optional

@@ -19,7 +19,7 @@ class NeighborChanges:
     ended : (m, 2) ndarray of int
         Those that are neighbors no more.
     began_offsets : (n, r) ndarray of int32
-        The second point is translated by ``began_offsets[i] @ lattice`` from where it is given after the step. r = 0 without a lattice.
+        The second point of pair i is translated by ``began_offsets[i] @ lattice`` from where it is given after the step. r = 0 without a lattice.
     ended_offsets : (m, r) ndarray of int32
         The same from where it was given before.
 
@@ -66,9 +66,9 @@ def changed_neighbors(before, after) -> NeighborChanges:
 
     Notes
     -----
-    A point of a periodic set goes on as the translate of its new point that is nearest to the old one: to give it in another period
-    changes no neighbors. Where most cells have stayed, as after small steps, the cost is a glance at each cell, and more only for those
-    that differ; otherwise all cells are compared.
+    A point of a periodic set goes on as the translate of its new point that is nearest to the old one: giving it in another period
+    changes no neighbors. If most cells have stayed, as after small steps, the cost is a glance at each cell, and more only for those
+    that differ. Otherwise all cells are compared.
 
     Examples
     --------

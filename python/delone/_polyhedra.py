@@ -152,7 +152,7 @@ class PolyhedraIntersection(NamedTuple):
 
 
 def intersections(polyhedra, most_members=None, *, threads=0, progress=None, memory_limit=None, time_limit=None) -> list[PolyhedraIntersection]:
-    """Intersect two and more of several polyhedra, all combinations that have a volume.
+    """Intersect two or more of several polyhedra, in all combinations whose intersection has a volume.
 
     Parameters
     ----------
@@ -194,7 +194,7 @@ def intersections(polyhedra, most_members=None, *, threads=0, progress=None, mem
 
     Notes
     -----
-    An intersection is made from one with a member less, if that has a volume. n polyhedra that all have a common part have
+    An intersection is made from one with one member less, if that has a volume. n polyhedra that all have a common part have
     2^n - n - 1 intersections.
 
     Examples
@@ -254,8 +254,8 @@ def union_volume(polyhedra, *, threads=0, progress=None, memory_limit=None, time
     Notes
     -----
     Inclusion and exclusion: each polyhedron adds what the earlier ones do not have, which is its volume less that of the union of
-    its intersections with them. Intersections within others and those without volume are left out. What is left is paid for; if
-    nothing is left out, these are 2^n for n polyhedra.
+    its intersections with them. Intersections within others and those without volume are left out. The cost is that of the
+    remaining ones, which are 2^n if all n polyhedra have a common part and nothing is left out.
 
     Examples
     --------

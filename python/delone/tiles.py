@@ -125,8 +125,8 @@ class Part(NamedTuple):
     vertex_of_row : (t,) ndarray of int64
         The row of the vertex of each of them: of equal rows the first; -1 for hidden points.
     cell_offsets : (m, k+1, r) ndarray of int32 or None
-        In a periodic set how many lattice vectors each vertex is translated by: vertex i of cell c is
-        ``points[cells[c, i]] + cell_offsets[c, i] @ tiles.lattice``. Its `points` are in the box of the lattice.
+        By how many lattice vectors each vertex is translated, in a periodic set: vertex i of cell c is
+        ``points[cells[c, i]] + cell_offsets[c, i] @ tiles.lattice``. The `points` are in the box of the lattice.
     neighbor_offsets : (m, k+1, r) ndarray of int32 or None
         The same for neighbors.
 
@@ -349,7 +349,7 @@ class Tiles:
 
         Notes
         -----
-        Needs the memory of three parts, for a periodic set that of all.
+        Needs the memory of three parts, for a periodic set that of all parts.
 
         Examples
         --------
@@ -385,7 +385,7 @@ def make_tiles(points, folder, *, weights=None, lattice=None, axes=None, columns
     weights : (n,) array_like, str or int, optional
         The weights; for a file the name or number (from 0) of their column.
     lattice : float, (d,) or (r, d) array_like, or ase.cell.Cell, optional
-        As for `delone.PeriodicDelaunay`: the set is periodic. With a file a single length does not tell the dimension.
+        As for `delone.PeriodicDelaunay`: the set is periodic. For a file, a single length is not enough, as it does not tell the dimension.
     axes : sequence of int or of bool, optional
         The lattice vectors in whose directions it is periodic, as for `delone.PeriodicDelaunay`.
     columns : sequence of str or int, optional
@@ -452,7 +452,7 @@ def make_tiles(points, folder, *, weights=None, lattice=None, axes=None, columns
     True
     """
     if axes is not None and lattice is None:
-        raise ValueError("axes: those of which lattice?")
+        raise ValueError("axes: give a lattice, too")
     if forecast is not None and not callable(forecast):
         raise TypeError("forecast: a function of a Forecast, or None")
     if damage is not None and not callable(damage):
@@ -489,7 +489,7 @@ def _dimension_of(lattice) -> int:
     """The dimension of a lattice by itself."""
     shape = np.shape(getattr(lattice, "cell", lattice))
     if not shape:
-        raise ValueError("lattice: with a file, a length per axis, or vectors")
+        raise ValueError("lattice: for a file give a length per axis, or vectors")
     return shape[-1]
 
 

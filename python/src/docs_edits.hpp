@@ -31,7 +31,7 @@ CancelledError, OutOfMemoryError, TimeLimitError
 
 Notes
 -----
-To remove a row that is alone at its place costs as much as 1.2 insertions there in 2D, and up to five in 6D.
+Removing a row that is alone at its place costs about as much as 0.7 insertions there in 2D, and up to five in 6D.
 
 Examples
 --------
@@ -167,9 +167,9 @@ Triangulation
 inline constexpr const char* record_changes = R"(
 Let `changes` tell what each insertion, edit and undo does.
 
-A single insertion or edit then takes up to twice as long. One thread inserts the points of `insert_range`; if they are more
-than those of the triangulation, several threads rebuild all cells instead. Until the next change a record of the last one is
-kept in memory.
+A single insertion or edit then takes up to twice as long. One thread inserts the points of `insert_range`. If there are more
+of them than points in the triangulation, several threads rebuild all cells instead. The record of a change is kept in memory
+until the next one.
 
 Parameters
 ----------
@@ -179,8 +179,8 @@ wanted : bool, default True
 inline constexpr const char* changes = R"(
 The changes by the last insertion, edit or undo, a `Changes`, or None.
 
-None unless `record_changes` was called. A call without any row or point does not count. The arrays are made when they are
-first asked for.)";
+None unless `record_changes` was called. A call without any row or point does not count. The arrays are made when you
+first ask for them.)";
 
 inline constexpr const char* vertex_ids = R"(
 The id of the vertex at each row, (n,), from 1; -1 if it is hidden or was removed.

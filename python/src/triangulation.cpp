@@ -126,7 +126,7 @@ std::shared_ptr<const Changes> HeldTriangulation::changes() const {
   const auto is_recorded = [this](const Triangulation&) { return records_changes_; };
   if (!with_unsorted(is_recorded)) return nullptr;
   return with_engine([this](const Triangulation& engine) -> std::shared_ptr<const Changes> {
-    if (!records_changes_) return nullptr;  // any more
+    if (!records_changes_) return nullptr;  // not any more
     const std::lock_guard derived(derived_mutex_);
     if (!changes_) changes_ = std::make_shared<const Changes>(changes_with_numbers(engine));
     return changes_;

@@ -102,7 +102,7 @@ Sign unperturbed_side(const TriangulationEngine& engine, Index cell, const doubl
 /// slots of the former.
 void find_changed_cells(const TriangulationEngine& engine, std::vector<CellId>& gone,
                         std::vector<CellId>& made);
-/// The infinite ones of those that are gone, in no order.
+/// Those of the cells that are gone that were infinite, in no order.
 void find_removed_infinite_cells(const TriangulationEngine& engine, std::vector<CellId>& gone);
 /// Whether several threads can insert a batch of so many vertices.
 bool shares_batches_of(const TriangulationEngine& engine, std::size_t num_vertices);

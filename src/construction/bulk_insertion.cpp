@@ -16,7 +16,7 @@
 namespace delone::construction {
 namespace {
 
-/// Of those that several threads share.
+/// Where several threads share the places of an order, each takes a part at a time.
 constexpr std::size_t places_in_part = 16384;
 
 /// Copies those rows whose places in an order are first … last − 1.

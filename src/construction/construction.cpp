@@ -165,8 +165,8 @@ bool Construction::edit(const RowEdits& edits, const EditHints& hints) {
   return Editing(*this, edits, hints).run();
 }
 
-/// Cells of a new engine get ids that do not tell of timing, unless the caller sees to that: when the next
-/// transaction has begun, to sort cells drops the record.
+/// Cells of a new engine get ids that do not tell of timing, unless the caller sorts them later. After the
+/// next transaction has begun, sorting would drop the record.
 void Construction::sort_cells_on_record() {
   if (!recording_.is_on() || recording_.sorts_later || !state_.ids_tell_of_timing ||
       !record_->has_other_engine)

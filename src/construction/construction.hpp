@@ -30,7 +30,7 @@ struct EditHints {
   bool may_rebuild = true;      ///< if not, an edit that would rebuild everything is given up instead
 };
 
-/// Changes, and what users ask of them apart.
+/// Changes, and a list of theirs that users ask for separately.
 struct AllChanges {
   Changes lists;
   std::vector<CellId> removed_infinite_cells;  ///< increasing

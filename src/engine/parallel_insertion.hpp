@@ -380,7 +380,8 @@ class ParallelInsertion {
     }
   }
 
-  /// What a worker has to do, beside its range. On lines of its own: it is written at each insertion.
+  /// What a worker has to do, besides its range. It is written at each insertion, so it has cache lines of
+  /// its own.
   struct alignas(128) Stretch {
     std::vector<std::size_t> put_off;  // numbers in the batch
     std::size_t next = 0;              // of those in put_off; the ones before have been tried again

@@ -86,12 +86,11 @@ class Sphere {
     undo_batch([](Index) {});
   }
 
-  /// Since the beginning of the batch: the cells that have gone, and those that have come, perhaps in their
-  /// slots.
+  /// Since the beginning of the batch: the cells that are gone, and the new ones, perhaps in their slots.
   void changed_cells(std::vector<CellId>& gone, std::vector<CellId>& come) const {
     log_.list_changes(cells_, gone, come);
   }
-  /// Since the beginning of the batch: the infinite cells that have gone.
+  /// Since the beginning of the batch: the infinite cells that are gone.
   void changed_infinite_cells(std::vector<CellId>& gone) const { log_.list_infinite_changes(cells_, gone); }
 
   /// Vertex v becomes new_ids[v]; of vertices that are in no cell the entry does not matter. Throws

@@ -105,7 +105,7 @@ class UndoLog {
       list_many_changes(cells, gone, made);
   }
 
-  /// Appends those of the first that had the infinite vertex, in no order.
+  /// Appends those of the cells that are gone that were infinite, in no order.
   void list_infinite_changes(const CellStore<K>& cells, std::vector<CellId>& gone) const {
     for (std::size_t n = 0; n < num_notes_; ++n) {
       const Index *const note = notes_.data() + n * size_of_note(cells), *const vertices = note + 1;

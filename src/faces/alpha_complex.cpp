@@ -167,7 +167,7 @@ void AlphaComplex::Impl::find_boundary(unsigned threads) {
         if (states[slot] == none) continue;
         const SignedIndex number = to.num_cells++;
         if (states[slot] == in) to.cells.push_back(number);
-        // The facets to look at, without a branch that depends on the states.
+        // Bits of the facets to look at, without a branch that depends on the states.
         const unsigned own = states[slot];
         std::uint64_t wanted = 0;
         for (int i = 0; i <= k && k > 0; ++i) {
@@ -176,7 +176,8 @@ void AlphaComplex::Impl::find_boundary(unsigned threads) {
           const bool is_seen_from_here = (own == in) | (c < across) | (state == none);
           wanted |= static_cast<std::uint64_t>((state != in) & is_seen_from_here) << i;
         }
-        // Those that are in conflict with the opposite vertex of this cell, see known_conflict().
+        // Facets known to be in conflict with their opposite vertex of this cell are out, see
+        // known_conflict().
         if ((own & mask_of_state) == out_with_bits) wanted &= ~std::uint64_t{own >> bits_of_state};
         for (; wanted != 0; wanted &= wanted - 1) {
           const int i = std::countr_zero(wanted);

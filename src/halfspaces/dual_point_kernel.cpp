@@ -24,7 +24,7 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using namespace solve::HWY_NAMESPACE;
 
-/// Where a scaled entry is zero as it was given, or so moderate that neither products nor their rounding
+/// Where an entry was given as zero, or is so moderate after scaling that neither products nor their rounding
 /// errors leave the range of doubles.
 template <class T>
 HWY_INLINE Mask<T> is_harmless(T given, T scaled, double limit) {

@@ -38,7 +38,7 @@ void require_stars(const Triangulation& triangulation) {
                 "DTFE densities are available up to dimension " + std::to_string(most_star_dimension));
 }
 
-/// `vertex_of`: by row, the vertex of a row, or invalid_index. `outer`: of a volume, that in numbers of the
+/// `vertex_of`: the vertex of each row, or invalid_index. `outer`: converts a volume to the numbers of the
 /// caller.
 template <class Outer>
 std::vector<double> densities(const Triangulation& triangulation, std::vector<unsigned char> wanted,
@@ -85,7 +85,7 @@ class Places {
   Places(const DensityGrid& grid, std::size_t samples)
       : grid_(grid), samples_(samples), d_(grid.shape.size()) {}
 
-  /// Appends those in part `part` of the grid itself.
+  /// Appends the places in part `part` of the grid itself.
   void append(std::size_t part, std::vector<double>& places) const {
     std::vector<std::size_t> first(d_), inner(d_, 0);
     for (std::size_t j = d_; j-- > 0; part /= grid_.shape[j]) first[j] = part % grid_.shape[j];
@@ -109,7 +109,7 @@ class Places {
   std::size_t samples_, d_;
 };
 
-/// `evaluate`: sets the values at places.
+/// `evaluate(places, values)`: sets the values at places.
 template <class Evaluate>
 std::vector<double> means_on_grid(std::size_t d, const DensityGrid& grid, std::size_t samples,
                                   const Execution& how, const Evaluate& evaluate) {

@@ -35,7 +35,7 @@ constexpr double unknown = std::numeric_limits<double>::infinity();
 
 double factorial(std::size_t k) { return k < 2 ? 1.0 : static_cast<double>(k) * factorial(k - 1); }
 
-/// The same for any order of the terms, which are at least 0.
+/// The sum of terms that are at least 0, the same for any order of them.
 double sum_of(std::vector<double>& terms) {
   if (const double largest = largest_magnitude(terms); largest >= 0x1p-900 && largest < 0x1p900)
     return exact_sum(terms);

@@ -45,9 +45,9 @@ class Extent {
   double high(std::size_t i) const { return high_[set_.rank + i] + margin_; }
 
   /// A point in the middle of the box, with weights a heaviest one, and the extreme ones in free directions:
-  /// each row once, increasing. The frame of the one in the middle is around the images that are found later,
-  /// too: an image outside of the box of all earlier ones is dear, as all functionals are computed anew. And
-  /// the hull does not change in a time step.
+  /// each row once, increasing. The frame of the one in the middle also surrounds the images that are found
+  /// later. An image outside of the box of all earlier ones would be expensive, as all functionals are
+  /// computed anew for it. And the hull does not change in a time step.
   std::vector<Extreme> extremes() const;
   /// Σ ±a_i, or in high dimensions ±a_i: images of the extreme points by these have every point of the set in
   /// the interior of the convex hull of all that is along the lattice.

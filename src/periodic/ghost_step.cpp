@@ -2,10 +2,10 @@
 // A time step: the points of a set have moved, most of them little, and a copy of the triangulation with
 // ghosts follows.
 //
-// Each point goes on as the translate that is nearest to where it was, and its images with it: so a point
-// that leaves the box becomes an image, and the image that comes in on the other side the point. Which image
-// a vertex is may be chosen at will: the cells are those of the points that are there, whatever these are
-// called, and the questions that follow certify them as they do after a construction.
+// Each point goes on as the translate that is nearest to where it was, and its images with it. So a point
+// that leaves the box becomes an image, and the image that comes in on the other side becomes the point. Any
+// choice of names would do: the cells are those of the points that are there, whatever they are called, and
+// the questions that follow certify them as they do after a construction.
 //
 // What is known beside the box. Let fractions of all points but some, the far ones, change by δ_i at most.
 // Then an image of another point that has f_i in (−b_i + δ_i, 1 + c_i − δ_i) has come from (−b_i, 1 + c_i),
@@ -141,8 +141,8 @@ class GhostTriangulation::Step {
     return num_missing <= most_new_;
   }
 
-  /// Whether few of some cells, evenly spaced, are not Delaunay any more: before anything is copied, by the
-  /// measure of the engine (engine/hole/relocation.hpp).
+  /// Whether few cells of a sample are not Delaunay any more, by the measure of the engine
+  /// (engine/hole/relocation.hpp). Asked before anything is copied.
   bool is_promising() const {
     const Complex complex = from_.triangulation().complex();
     const auto k = static_cast<std::size_t>(std::max(complex.affine_dimension(), 0));
@@ -187,7 +187,7 @@ class GhostTriangulation::Step {
     set_.period.translate(k, to);
   }
 
-  /// Those of points that are not far all at once, and then the others: far moves leave no cell as it was.
+  /// Points that are not far move all at once, and then the others: far moves leave no cell as it was.
   bool move_rows() { return move_rows(false) && move_rows(true); }
   bool move_rows(bool far) {
     const std::size_t d = set_.dimension, count = to_.image_of_row_.size();
@@ -269,8 +269,8 @@ class GhostTriangulation::Step {
 };
 
 bool GhostTriangulation::step_from(const GhostTriangulation& before) {
-  // Steps of one run are much alike. So after a repair that has failed the next ones are not tried, twice as
-  // many each time.
+  // Steps of one run are much alike. So after a repair has failed, some steps are not tried: about twice as
+  // many after each further failure.
   constexpr std::uint32_t most = 5;
   if (before.num_skipped_ + 1 < std::uint32_t{1} << before.num_failures_) {
     num_failures_ = before.num_failures_;

@@ -34,7 +34,7 @@ struct Pair {
   friend auto operator<=>(const Pair&, const Pair&) = default;
 };
 
-/// Numbers for offsets, 0 for that of zeros.
+/// Numbers for offsets; 0 stands for the offset of zeros.
 class OffsetNumbers {
  public:
   explicit OffsetNumbers(std::size_t rank) { number(std::vector<std::int64_t>(rank, 0)); }
@@ -98,8 +98,8 @@ class PeriodicNeighborChanges {
   }
 
  private:
-  /// By how many lattice vectors, as they were given, the given point of each row has moved from the
-  /// translate of it that is nearest to where it was.
+  /// For each row by how many of the given lattice vectors its given point differs from the translate that is
+  /// nearest to where the point was before.
   void find_periods() {
     periods_.resize(n_ * r_);
     const bool is_same_basis = set_before_.sums == set_after_.sums;
@@ -178,7 +178,7 @@ class PeriodicNeighborChanges {
   bool is_stable(const GhostTriangulation& ghosts, VertexId v) const {
     return is_stable_[ghosts.image_of(v).row] != 0;
   }
-  /// Of all edges at points that are not stable.
+  /// The pairs of all edges at points that are not stable.
   void add_all_at_others(const GhostTriangulation& ghosts, const PeriodicSet& set, std::vector<Pair>& pairs) {
     const Complex complex = ghosts.triangulation().complex();
     internal::QuickRounds round;

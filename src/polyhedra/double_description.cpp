@@ -34,17 +34,17 @@ class Steps {
       throw Error(error.code(), std::string(error.what()) + "; " + std::to_string(graph_->rays().size()) +
                                     " vertices and rays of an intermediate polyhedron, of " +
                                     std::to_string(row_) + " of " + std::to_string(cone_.rows.size()) +
-                                    " rows: their number may grow otherwise than is forecast here");
+                                    " rows: their number may grow differently from this forecast");
     }
   }
   double seconds() const { return seconds_; }
-  /// Of the rows, those that have been taken.
+  /// The share of the rows that have been taken.
   double fraction() const { return static_cast<double>(row_) / static_cast<double>(cone_.rows.size()); }
   PointedRays result() {
     if (tier_ == Tier::small) return result(small_);
     return tier_ == Tier::medium ? result(medium_) : result(large_);
   }
-  /// Whether nine of ten rays at present are simple.
+  /// Whether nine of ten rays of the intermediate cone are simple.
   bool are_simple() const {
     const std::size_t simple = graph_->num_simple_rays(), all = graph_->rays().size();
     return 10 * simple >= 9 * all;
@@ -147,10 +147,10 @@ class Steps {
 };
 
 /// When insertion is tried, too, in cones of few dimensions: the first time after `first_seconds`. A try may
-/// take `factor` times as long as the steps so far, but not longer than the steps still need if the rest of
-/// the rows takes as long in proportion, and all tries not longer than the steps in all. So they at most
-/// double the time, as far as that estimate is low. A try that is stopped says how much of the rows it
-/// inserted. The rest takes at least as long in proportion; there is no other try before this much time is
+/// take `factor` times as long as the steps so far, but no longer than the steps still need if the rest of
+/// the rows takes as long in proportion. All tries together may take no longer than all steps. So they at
+/// most double the time, unless that estimate is too high. A try that is stopped tells its share of the
+/// rows. All of them take at least as long in proportion, and there is no other try before that much time is
 /// allowed.
 struct Trial {
   std::size_t least_dimensions, most_dimensions;
@@ -162,7 +162,7 @@ constexpr Trial trials[] = {{3, 6, true, 0.005, 5}, {7, 7, true, 0.05, 5}, {3, 5
 /// By insertion, if it ends before the steps do.
 std::optional<PointedRays> try_insertion(const PointedCone& cone, const Trial& trial, Steps& steps) {
   constexpr double margin = 1.2;
-  double needed = 0.02;  // insertion looks at the time so often
+  double needed = 0.02;  // insertion looks at the clock about this often
   double spent = 0;
   for (double seconds = trial.first_seconds; !steps.run_until(seconds); seconds *= 2) {
     if (trial.needs_simple_rays && !steps.are_simple()) return std::nullopt;

@@ -48,7 +48,7 @@ class LimitedTime {
     };
   }
   const Options& options() const { return options_; }
-  /// What was done when it was looked at last.
+  /// The share that was done when the clock was read last.
   double fraction() const { return fraction_; }
   /// Whether work() has come to its end in time. Throws what the meter around it does.
   template <class Work>

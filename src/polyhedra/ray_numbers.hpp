@@ -41,7 +41,7 @@ class NumberRows {
     width_ = width;
     size_ = 0;
   }
-  /// New rows are of any numbers.
+  /// New rows hold arbitrary numbers.
   void resize(std::size_t size) {
     while (blocks_.size() * rows_in_block < size)
       blocks_.push_back(std::make_unique_for_overwrite<T[]>(rows_in_block * width_));

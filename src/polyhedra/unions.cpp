@@ -32,7 +32,7 @@ void require_one_dimension(std::span<const Polyhedron> polyhedra) {
 
 bool is_full(const Polyhedron& p) { return p.affine_dimension() == p.dimension(); }
 
-/// Adds a part, unless it is flat or within another one; those within it go.
+/// Adds a part, unless it is flat or within another one. Removes parts that are within it.
 void add_part(Polyhedron part, std::vector<Polyhedron>& parts) {
   if (!is_full(part)) return;
   for (const Polyhedron& other : parts) {
@@ -46,7 +46,7 @@ void add_part(Polyhedron part, std::vector<Polyhedron>& parts) {
   parts.push_back(std::move(part));
 }
 
-/// Of bounded ones. Counts those whose share is known.
+/// The volume of the union of bounded polyhedra. Progress counts those whose share is known.
 Quotient volume_of_union(std::span<const Polyhedron> polyhedra, const Options& how) {
   const std::function<bool(double)> none;
   internal::ProgressMeter progress(none, polyhedra.size());

@@ -33,7 +33,7 @@ struct ForeignAnswer {
 /// Whether a point, its weight included, is in conflict with the cell that is asked about. Exact.
 using IsInConflict = std::function<bool(const double*)>;
 
-/// The questions of one thread. See question.hpp for what is asked, and what is found first.
+/// The questions of one thread. question.hpp says what is asked, and which point is found.
 class ForeignSearch {
  public:
   virtual ~ForeignSearch() = default;
@@ -58,11 +58,12 @@ struct StartingPoints {
 class Surroundings {
  public:
   virtual ~Surroundings() = default;
-  /// They settle the affine dimension.
+  /// The points that settle the affine dimension.
   virtual StartingPoints starting_points() = 0;
-  /// `largest_weight`: a bound of |w| of all points. For each thread one; searches are made by one thread.
+  /// A search for one thread. REQUIRES that one thread makes all searches. `largest_weight`: a bound of |w|
+  /// of all points.
   virtual std::unique_ptr<ForeignSearch> make_search(double largest_weight) = 0;
-  /// Whether certainly no translate but a shift of 0 is in the ball.
+  /// Whether it is certain that no translate but that by shift 0 is in the ball.
   virtual bool is_within_period(const double* center, double radius) const = 0;
   /// The row of the input, and the point itself, weight included, if its page is here.
   virtual std::int64_t copy_point(const ForeignPlace& place, double* point) = 0;

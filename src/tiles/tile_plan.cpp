@@ -58,7 +58,8 @@ double ForeignShare::of(double n, std::size_t num_tiles, int r) const {
   // In a periodic set translates are beyond the sides of the box, which are those of some of the tiles.
   const double faces = (num_tiles > 1 ? cost_model::inner_faces(dimension, tiles) : 0.0) +
                        2 * r * std::pow(tiles, -1.0 / dimension);
-  // A tile has no more foreign points than there are; of translates, those next to the box.
+  // A tile has no more foreign points than there are, counting translates in the boxes next to that of the
+  // lattice.
   return std::min(share * faces * std::pow(n / points, -exponent), tiles * std::pow(3.0, r) - 1);
 }
 

@@ -77,7 +77,7 @@ class TileTriangulation {
   void insert_found();
   void insert_one_by_one();
   void take_found(const ForeignPlace& place, double* point);
-  /// Where questions take too long. Translates are too many for it.
+  /// Whether all points can be tried where questions take too long. Translates are too many for that.
   bool can_try_all_points() const { return surroundings_->rank() == 0; }
   void ask();
   std::vector<std::uint32_t> pages_by_distance() const;

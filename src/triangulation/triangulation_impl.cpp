@@ -46,8 +46,8 @@ void Triangulation::Impl::expand() {
   compacted.reset();
 }
 
-/// A transaction, whole or not at all: not at all, too, if `work` returns false, which is returned. If it is
-/// not done, the changes are still those of the last one. `items`: what it counts, as "points". `prepare` is
+/// A transaction, whole or not at all. If `work` returns false, nothing is done, and this returns false. The
+/// changes are then still those of the last one. `items`: what it counts, as "points". `prepare` is
 /// given the limits.
 bool Triangulation::Impl::transact(const char* items,
                                    const std::function<bool(construction::Construction&)>& work,
@@ -306,8 +306,8 @@ void Triangulation::Impl::compact() {
   state->cell_of_vertex.shrink_to_fit();
 }
 
-/// Of what compact() has left, too: insertions are possible then. Where the last transaction made all cells,
-/// its record does not tell of their ids and is kept.
+/// Also after compact(), since insertions are possible then. If the last transaction made all cells, its
+/// record does not tell their ids, and is kept.
 void Triangulation::Impl::sort_cells() {
   require_idle();
   if (!state->ids_tell_of_timing) return;

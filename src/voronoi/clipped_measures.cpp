@@ -20,7 +20,7 @@ namespace {
 /// digits along the short axis would be lost among those along the long one.
 constexpr int most_moderate_ratio = 20;  // as a power of two
 
-/// Corners are rounded as seen from the site. Where the extent of a region along an axis is smaller than this
+/// Corners are rounded relative to the site. If the extent of a region along an axis is smaller than this
 /// share of the largest coordinate there, it would lose more than ten bits.
 constexpr double far_extent = 0x1p-10;
 

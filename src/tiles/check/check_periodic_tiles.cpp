@@ -31,8 +31,8 @@ class Whole {
     constexpr std::int64_t most = std::numeric_limits<SignedIndex>::max();
     if (index.num_cells > most || index.num_points > most)
       throw Error(Errc::too_many,
-                  "the check of periodic tiles is made in one piece, which has 2^31 points and "
-                  "cells at most");
+                  "tiles of a periodic set are checked in one piece, which has at most 2^31 points "
+                  "and cells");
     for (std::size_t i = 0; i < index.parts.size(); ++i) parts_.push_back(read_tile_of(folder, index, i));
   }
 

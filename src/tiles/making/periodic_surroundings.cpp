@@ -26,8 +26,8 @@ std::uint64_t count_shifts(const PeriodicSet& set) {
   return count;
 }
 
-/// The pages of all tiles and their translations, whose numbers do not depend on the order of their first
-/// use: so files do not depend on threads, of which each makes shifts.
+/// The pages of all tiles, and their translations. Each thread makes those it needs. Their numbers do not
+/// depend on the order of first use, so files do not depend on threads.
 class TileImages {
  public:
   TileImages(const PeriodicSet& set, const Extent& extent, const PageTree& tree, PageSource& source)
@@ -59,7 +59,7 @@ class TileImages {
     }
     return static_cast<std::uint32_t>(number);
   }
-  /// Of a number that this thread has asked for, or another one before.
+  /// REQUIRES a number that this thread has asked for, or another thread before.
   Shift& shift(std::uint32_t number) { return *shifts_[number]; }
   const Shift& shift(std::uint32_t number) const { return *shifts_[number]; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A vertex inside of the plane leaves the triangles that there were without it.
+// Removing an inner vertex in the plane leaves the triangles of the set without it.
 #include "engine/hole/polygon_filler.hpp"
 
 #include "engine_support.hpp"
