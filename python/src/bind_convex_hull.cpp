@@ -446,7 +446,7 @@ void bind_convex_hull(py::module_& module) {
   define_save(type, [](const HeldHull& held, const SaveArguments& to) {
     held.ask([&](const ConvexHullBase& p) { to.save(p, [&] { return p.to_data(); }); });
   });
-  define_to_polyhedron(type, text(docs::polyhedra::of_hull));
+  define_to_polyhedron(type, text(docs::polyhedra::of_hull), [](const HeldHull& h) { return h.data(); });
   define_to_html(type,
                  [](const HeldHull& h, const HtmlOptions& options) { return html_of(h.data(), options); });
 }

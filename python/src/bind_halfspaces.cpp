@@ -316,7 +316,9 @@ void bind_halfspaces(py::module_& module) {
   define_save(type, [](const HeldIntersection& held, const SaveArguments& to) {
     held.ask([&](const HalfspaceIntersectionBase& p) { to.save(p, [&] { return p.to_data(); }); });
   });
-  define_to_polyhedron(type, text(docs::polyhedra::of_intersection));
+  define_to_polyhedron(type, text(docs::polyhedra::of_intersection), [](const HeldIntersection& h) {
+    return std::make_shared<const IntersectionData>(h.to_data());
+  });
   define_to_html(type, [](const HeldIntersection& h, const HtmlOptions& options) {
     return html_of(std::make_shared<const IntersectionData>(h.to_data()), options);
   });

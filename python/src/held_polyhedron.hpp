@@ -88,15 +88,16 @@ class HeldPolyhedron {
 
 using PolyhedronClass = py::class_<HeldPolyhedron>;
 
-/// Defines the method to_polyhedron() of a class that holds an intersection or a hull.
-template <class Class>
-void define_to_polyhedron(Class& type, const char* doc) {
+/// Defines the method to_polyhedron() of a class that holds an intersection or a hull. `data_of`: returns a
+/// pointer to its data, with the rows.
+template <class Class, class DataOf>
+void define_to_polyhedron(Class& type, const char* doc, DataOf data_of) {
   using namespace py::literals;
   type.def(
       "to_polyhedron",
-      [](const typename Class::type& held, int threads, const py::object& progress,
-         const py::object& memory_limit, const py::object& time_limit) {
-        const auto data = held.data();
+      [data_of](const typename Class::type& held, int threads, const py::object& progress,
+                const py::object& memory_limit, const py::object& time_limit) {
+        const auto data = data_of(held);
         return std::make_unique<HeldPolyhedron>(
             CallArguments{threads, progress, memory_limit, time_limit}.run(
                 [&](const Options& options) { return to_polyhedron(*data, options); }));
