@@ -48,6 +48,7 @@ struct DELONE_EXPORT DensityGrid {
   std::vector<double> sides;       ///< d×d, a vector per row
   std::vector<std::size_t> shape;  ///< d, each at least 1
 
+  /// Throws Errc::bad_dimension for corners with different numbers of coordinates.
   static DensityGrid of(const Box& box, std::vector<std::size_t> shape);
   /// The box that the d vectors of a lattice span from the origin of coordinates. Throws
   /// Errc::invalid_argument for fewer vectors.

@@ -36,10 +36,10 @@ DELONE_EXPORT NeighborChanges changed_neighbors(const Triangulation& before, con
                                                 const Execution& how = {});
 
 /// The same of a periodic set of as many points, after moved(). A point goes on as the translate of its new
-/// point that is nearest to the old one, along the lattice vectors: giving it in another period changes no
-/// neighbors. Fast if `after` is one step from `before`, and the step was a repair. Throws
-/// Errc::bad_dimension for other numbers of points or lattice vectors, unsupported if offsets do not fit into
-/// 32 bits, out_of_memory.
+/// point whose difference from the old one has coefficients of at most 1/2 in short lattice vectors. After
+/// small steps that is the nearest translate. Giving a point in another period changes no neighbors. Fast if
+/// `after` is one step from `before`, and the step was a repair. Throws Errc::bad_dimension for other numbers
+/// of points or lattice vectors, unsupported if offsets do not fit into 32 bits, out_of_memory.
 DELONE_EXPORT NeighborChanges changed_neighbors(const PeriodicTriangulation& before,
                                                 const PeriodicTriangulation& after,
                                                 const Execution& how = {});

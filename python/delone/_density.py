@@ -159,6 +159,7 @@ def _grid_of(triangulation, box, d):
             raise ValueError("box: give one, as the set is not periodic along all directions")
         return np.zeros(d), triangulation.lattice
     points = triangulation.points
+    points = points[~np.isnan(points[:, 0])]  # removed rows
     if len(points) == 0:
         raise ValueError("box: give one, as there are no points")
     low = points.min(axis=0)

@@ -66,8 +66,9 @@ def changed_neighbors(before, after) -> NeighborChanges:
 
     Notes
     -----
-    A point of a periodic set goes on as the translate of its new point that is nearest to the old one: giving it in another period
-    changes no neighbors. If most cells have stayed, as after small steps, the cost is a glance at each cell, and more only for those
+    A point of a periodic set goes on as the translate of its new point whose difference from the old one has coefficients of at most
+    1/2 in short lattice vectors. After small steps that is the nearest translate. Giving a point in another period changes no
+    neighbors. If most cells have stayed, as after small steps, the cost is a glance at each cell, and more only for those
     that differ. Otherwise all cells are compared.
 
     Examples

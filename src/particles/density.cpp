@@ -178,9 +178,10 @@ std::vector<double> dtfe_densities(const PeriodicTriangulation& triangulation, s
 
 DensityGrid DensityGrid::of(const Box& box, std::vector<std::size_t> shape) {
   const std::size_t d = box.low.size();
+  if (box.high.size() != d)
+    throw Error(Errc::bad_dimension, "the corners of the box have different numbers of coordinates");
   DensityGrid grid{box.low, std::vector<double>(d * d, 0.0), std::move(shape)};
-  for (std::size_t j = 0; j < d; ++j)
-    grid.sides[j * d + j] = (j < box.high.size() ? box.high[j] : box.low[j]) - box.low[j];
+  for (std::size_t j = 0; j < d; ++j) grid.sides[j * d + j] = box.high[j] - box.low[j];
   return grid;
 }
 

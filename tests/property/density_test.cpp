@@ -254,6 +254,7 @@ TEST(Density, RefusesWhatHasNone) {
   EXPECT_EQ(test::code_of([&] { density_on_grid(t, densities, grid); }), Errc::too_many);
   grid.shape = {4};
   EXPECT_EQ(test::code_of([&] { density_on_grid(t, densities, grid); }), Errc::invalid_argument);
+  EXPECT_EQ(test::code_of([&] { DensityGrid::of(Box{{0, 0}, {1}}, {4, 4}); }), Errc::bad_dimension);
   EXPECT_EQ(test::code_of([&] { DensityGrid::of(Lattice{2, {1, 0}}, {4, 4}); }), Errc::invalid_argument);
 }
 

@@ -47,6 +47,14 @@ def test_grids_are_means_of_the_interpolator():
     np.testing.assert_array_equal(field, delone.dtfe_density(points, (3, 4), masses=masses, samples=2, lattice=t.lattice))
 
 
+def test_the_default_box_is_that_of_the_rows_that_are_left():
+    points = delone.generate("uniform", 20, 2, seed=1)
+    t = delone.Delaunay(points)
+    t.remove([3])
+    rest = np.delete(points, 3, axis=0)
+    assert np.array_equal(delone.dtfe_density(t, 3), delone.dtfe_density(delone.Delaunay(rest), 3))
+
+
 def test_open_sets_have_nothing_outside():
     corner = [[0, 0], [1, 0], [0, 1]]
     np.testing.assert_array_equal(delone.dtfe_density(corner, (4, 2), box=([0, 0], [2, 1])), [[6, 6], [6, 0], [0, 0], [0, 0]])
