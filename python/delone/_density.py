@@ -7,6 +7,7 @@ import operator
 import numpy as np
 
 from . import _core
+from ._clipping import checked_box
 
 
 def dtfe_densities(self, masses=None) -> np.ndarray:
@@ -119,12 +120,11 @@ def dtfe_density(points, shape, *, masses=None, box=None, lattice=None, samples=
         triangulation = _core.Delaunay(points, threads=threads)
     d = triangulation.dimension
     shape = _shape_of(shape, d)
-    samples = operator.index(samples)
-    if samples < 1:
-        raise ValueError(f"samples: at least 1, not {samples}")
+    if not hasattr(samples, "__index__") or samples < 1:
+        raise ValueError(f"samples: an integer of at least 1, not {samples!r}")
     origin, sides = _grid_of(triangulation, box, d)
     densities = triangulation._dtfe_densities(_masses_of(triangulation, masses))
-    return triangulation._density_on_grid(densities, origin, sides, shape, samples).reshape(shape)
+    return triangulation._density_on_grid(densities, origin, sides, shape, operator.index(samples)).reshape(shape)
 
 
 def _masses_of(triangulation, masses):
@@ -139,20 +139,18 @@ def _masses_of(triangulation, masses):
 
 def _shape_of(shape, d):
     try:
-        parts = [operator.index(shape)] * d
+        parts = [operator.index(each) for each in (shape if np.iterable(shape) else [shape] * d)]
     except TypeError:
-        parts = [operator.index(each) for each in shape]
-    if len(parts) != d or min(parts) < 1:
-        raise ValueError(f"shape: {d} numbers of at least 1, not {shape!r}")
+        parts = []
+    if len(parts) != d or not all(1 <= part < 2**31 for part in parts):
+        raise ValueError(f"shape: {d} integers from 1 to 2**31 - 1, not {shape!r}")
     return parts
 
 
 def _grid_of(triangulation, box, d):
     """The origin of the grid, and its sides as rows."""
     if box is not None:
-        low, high = (_core._doubles(each, "box") for each in box)
-        if low.shape != (d,) or high.shape != (d,):
-            raise ValueError(f"box: two arrays of shape ({d},), not {low.shape} and {high.shape}")
+        low, high = checked_box(box, d)
         return low, np.diag(high - low)
     if isinstance(triangulation, _core.PeriodicTriangulation):
         if len(triangulation.lattice) < d:
