@@ -342,7 +342,7 @@ def test_periodic_files_and_weights(tmp_path):
     assert tiles.make_tiles(points, tmp_path / "array", weights=weights, tiles=2, lattice=1.0).hash == whole.hash
     with pytest.raises(ValueError, match="a length per axis"):
         tiles.make_tiles(tmp_path / "points.npy", tmp_path / "no", weights="2", lattice=1.0)
-    with pytest.raises(ValueError, match="which lattice"):
+    with pytest.raises(ValueError, match="axes: give a lattice"):
         tiles.make_tiles(points, tmp_path / "no", axes=[0])
     with pytest.raises(delone.Error, match="not compared"):
         made.check(points=points, weights=weights)
