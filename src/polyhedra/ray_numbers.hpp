@@ -44,7 +44,7 @@ class NumberRows {
   /// New rows hold arbitrary numbers.
   void resize(std::size_t size) {
     while (blocks_.size() * rows_in_block < size)
-      blocks_.push_back(std::make_unique_for_overwrite<T[]>(rows_in_block * width_));
+      blocks_.push_back(std::unique_ptr<T[]>(new T[rows_in_block * width_]));
     size_ = size;
   }
   std::size_t size() const { return size_; }
