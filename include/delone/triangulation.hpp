@@ -155,11 +155,11 @@ class DELONE_EXPORT Triangulation {
   /// single insertion or edit then takes up to twice as long. One thread inserts a batch; if it has more
   /// points than the triangulation, several threads rebuild all cells instead.
   void record_changes(bool wanted = true);
-  /// What the last edit, insertion or undo() did; a call without any row or point does not count. The lists
-  /// are made when they are first asked for, or before the next change: O(cells that changed), and after a
-  /// batch O(cells). Empty after compact_ids() and compact(), and after sort_cells() unless the last change
-  /// made all cells: then the lists have their new ids. Throws Errc::invalid_argument unless record_changes()
-  /// is on, out_of_memory.
+  /// What the last edit, insertion or undo() did; a call without any row or point does not count. The first
+  /// call makes the lists, unless the next change comes before it and makes them: O(cells that changed), and
+  /// after a batch O(cells). Empty after compact_ids() and compact(), and after sort_cells() unless the last
+  /// change made all cells: then the lists have their new ids. Throws Errc::invalid_argument unless
+  /// record_changes() is on, out_of_memory.
   const Changes& changes() const;
   /// Those of changes().removed_cells that were infinite, in ascending order. Throws as changes().
   const std::vector<CellId>& removed_infinite_cells() const;

@@ -134,13 +134,13 @@ class HeldTriangulation {
   const std::unique_ptr<Engine> engine_;
   std::vector<std::size_t> batches_;  // the sizes of insertions that make these rows; one, after edits
   bool records_changes_ = false, records_undo_ = false;
-  /// Cells have numbers that do not depend on threads. They get them before they are first asked for.
+  /// Cells have numbers that do not depend on threads. The first question that needs them sorts the cells.
   mutable bool is_sorted_ = true;
   std::atomic<std::uint64_t> version_{0};
 
   mutable std::mutex derived_mutex_;  // of all members below, under mutex_
   mutable std::shared_ptr<const Cells> cells_;
-  mutable std::shared_ptr<const Changes> changes_;  // once they were asked for
+  mutable std::shared_ptr<const Changes> changes_;  // after the first call of changes()
   mutable std::shared_ptr<const std::vector<double>> points_, weights_;
   mutable std::unique_ptr<PointLocator> locator_;
 };

@@ -39,17 +39,23 @@ bool RegionClipper::has_moderate_sides() const {
   return largest - least <= most_moderate_ratio;
 }
 
+/// The least and the largest coordinate j of all corners; infinity and −infinity for none.
+std::pair<double, double> RegionClipper::range_of_corners(std::size_t j) const {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (Corner c = 0; c < alive_.size(); ++c)
+    if (alive_[c] != 0) {
+      low = std::min(low, positions_[c * d_ + j]);
+      high = std::max(high, positions_[c * d_ + j]);
+    }
+  return {low, high};
+}
+
 /// The exponents of the extents; empty if they are moderate, or the region is flat.
 std::vector<int> RegionClipper::exponents_of_extents() const {
   std::vector<int> exponents;
   int least = std::numeric_limits<int>::max(), largest = std::numeric_limits<int>::lowest();
   for (std::size_t j = 0; j < d_; ++j) {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (Corner c = 0; c < alive_.size(); ++c)
-      if (alive_[c] != 0) {
-        low = std::min(low, positions_[c * d_ + j]);
-        high = std::max(high, positions_[c * d_ + j]);
-      }
+    const auto [low, high] = range_of_corners(j);
     if (!(low < high) || !std::isfinite(high / 2 - low / 2)) return {};
     exponents.push_back(exponent_of(high / 2 - low / 2) + 1);
     least = std::min(least, exponents.back());
@@ -95,12 +101,7 @@ solve::SimplePolytope::Measures RegionClipper::measures_by_axis(const std::vecto
 
 bool RegionClipper::is_far() const {
   for (std::size_t j = 0; j < d_; ++j) {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (Corner c = 0; c < alive_.size(); ++c)
-      if (alive_[c] != 0) {
-        low = std::min(low, positions_[c * d_ + j]);
-        high = std::max(high, positions_[c * d_ + j]);
-      }
+    const auto [low, high] = range_of_corners(j);
     if (low <= high && high - low < far_extent * std::max(std::abs(low), std::abs(high))) return true;
   }
   return false;

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace delone::voronoi {
@@ -81,6 +82,7 @@ class RegionClipper {
 
   bool spans_plane(std::size_t plane, const std::vector<Corner>& all);
   bool has_moderate_sides() const;
+  std::pair<double, double> range_of_corners(std::size_t j) const;
   std::vector<int> exponents_of_extents() const;
   /// Whether the region is so thin, seen from the site, that rounded corners have too few digits.
   bool is_far() const;

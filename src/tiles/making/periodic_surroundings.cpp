@@ -59,7 +59,7 @@ class TileImages {
     }
     return static_cast<std::uint32_t>(number);
   }
-  /// REQUIRES a number that this thread has asked for, or another thread before.
+  /// REQUIRES a number that shift_number() has returned, to any thread.
   Shift& shift(std::uint32_t number) { return *shifts_[number]; }
   const Shift& shift(std::uint32_t number) const { return *shifts_[number]; }
 
