@@ -73,11 +73,12 @@ class HoleCells {
     auto here = static_cast<std::uint32_t>(cell * width());
     for (std::size_t i = 0; i < width(); ++i, ++here) {
       const std::uint32_t other = match(key - keys_[vertices[i]], first_facet_ + here);
-      beside_[here] = other;
-      if (other != none)
-        set_beside(other, here);
-      else if (is_finite)
-        unmatched_.push_back(here);
+      if (other != none) {
+        link(here, other);
+        continue;
+      }
+      beside_[here] = none;
+      if (is_finite) unmatched_.push_back(here);
     }
   }
   /// Links facet `here` of all cells with another cell's, or one of the border, given by its number.
