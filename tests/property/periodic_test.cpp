@@ -4,6 +4,7 @@
 #include "error_code.hpp"
 #include "periodic_sets.hpp"
 #include "scale.hpp"
+#include "stops_at.hpp"
 
 #include <delone/check.hpp>
 #include <delone/periodic.hpp>
@@ -276,8 +277,7 @@ TEST(Periodic, NoPoints) {
 TEST(Periodic, ConstructionsStop) {
   const auto points = test::random_fractions(3 * 20000, 9);
   const Lattice box = Lattice::box(std::vector<double>{1, 1, 1});
-  int calls = 0;
-  const ProgressScope scope([&](double) { return ++calls < 3; });
+  const ProgressScope scope(test::stops_at(3));
   EXPECT_EQ(test::code_of([&] { delaunay(points, box); }), Errc::cancelled);
 }
 

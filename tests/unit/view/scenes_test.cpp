@@ -2,6 +2,7 @@
 // to_html(): the description in the page, the blocks it names, and what is refused. What browsers make of it:
 // tests/site/test_viewer.py.
 #include "error_code.hpp"
+#include "stops_at.hpp"
 
 #include <delone/alpha.hpp>
 #include <delone/convex_hull.hpp>
@@ -109,8 +110,7 @@ TEST(ToHtml, CanBeStopped) {
   std::vector<double> points;
   for (int i = 0; i < 20000; ++i) points.push_back(i * i % 4999), points.push_back(i);
   const ComplexData data = Delaunay<>(points, 2).to_data();
-  int calls = 0;
-  const ProgressScope scope([&](double) { return ++calls < 2; });
+  const ProgressScope scope(test::stops_at(2));
   EXPECT_EQ(test::code_of([&] { to_html(data); }), Errc::cancelled);
 }
 
