@@ -5,6 +5,7 @@
 #include "base/stopwatch.hpp"
 #include "io/file.hpp"
 #include "owned_pages.hpp"
+#include "pages/page_tree.hpp"
 #include "ranks.hpp"
 #include "remote_pages.hpp"
 #include "seam_exchange.hpp"
@@ -12,7 +13,6 @@
 #include "split_tree_file.hpp"
 #include "tiles/folder_names.hpp"
 #include "tiles/index_file.hpp"
-#include "tiles/page_tree.hpp"
 #include "tiles/part_file.hpp"
 #include "tiles/repair.hpp"
 #include "tiles/tile_plan.hpp"
@@ -137,7 +137,7 @@ class Run {
   std::uint64_t memory_for_tiles() const {
     const auto d = static_cast<std::uint64_t>(survey().dimension),
                p = static_cast<std::uint64_t>(ranks_.size());
-    const std::uint64_t pages = survey().num_points / tiles::points_per_page(survey().num_points) + 1,
+    const std::uint64_t pages = survey().num_points / pages::points_per_page(survey().num_points) + 1,
                         used = platform::resident_memory() + pages * (60 * d + 56) +
                                survey().num_points / p * 8 * (d + 2);
     return used + memory_ / 10 < memory_ ? memory_ - used - memory_ / 20 : memory_ / 10;
@@ -195,7 +195,7 @@ class Run {
 
   /// Each rank makes its tiles one after the other; in a wave all ranks have one tile, or none.
   void make_parts(const OwnedPages& pages) {
-    const tiles::PageTree tree(pages.table());
+    const pages::PageTree tree(pages.table());
     RemotePages source(pages);
     const auto rank = static_cast<std::size_t>(ranks_.rank());
     std::vector<std::size_t> own;
@@ -224,7 +224,7 @@ class Run {
     }
   }
 
-  void make_part(std::optional<std::size_t> number, const OwnedPages& pages, const tiles::PageTree& tree,
+  void make_part(std::optional<std::size_t> number, const OwnedPages& pages, const pages::PageTree& tree,
                  RemotePages& source, const std::function<bool(double)>& progress) {
     tiles::TileOptions how;
     how.threads = options_.threads;

@@ -11,11 +11,11 @@
 
 namespace delone::mpi {
 
+using pages::PageTable;
+using pages::Tile;
 using tiles::Duplicate;
-using tiles::PageTable;
 using tiles::SplitTree;
 using tiles::Survey;
-using tiles::Tile;
 
 OwnedPages::OwnedPages(Share& share, std::int64_t first_row, Survey& survey, const SplitTree& tree,
                        Ranks& ranks, std::uint64_t memory)
@@ -38,7 +38,7 @@ OwnedPages::OwnedPages(Share& share, std::int64_t first_row, Survey& survey, con
       num_points += records.size() / record_size();
       duplicates_.push_back(tiles::take_duplicates(records, table_.row_size()));
       records.shrink_to_fit();
-      tiles::order_pages(records, tiles::points_per_page(survey.num_points), own);
+      pages::order_pages(records, pages::points_per_page(survey.num_points), own);
     }
   });
   const auto found = static_cast<std::uint64_t>(ranks.sum(static_cast<std::int64_t>(num_points)));
@@ -77,7 +77,7 @@ void OwnedPages::receive(Share& share, std::int64_t first_row, const SplitTree& 
         for (std::size_t i = 0; i < rows.size(); i += width) {
           std::vector<double>& to = to_each[owners_.owner(tree.tile_of(&rows[i]))];
           to.insert(to.end(), &rows[i], &rows[i] + width);
-          to.push_back(tiles::coded_row(row++));
+          to.push_back(pages::coded_row(row++));
         }
         bytes += rows.size() * sizeof(double);
       }
@@ -108,7 +108,7 @@ void OwnedPages::settle_landmarks(Survey& survey, const SplitTree& tree, const R
       if (record[0] != landmark[0] || !std::equal(landmark, landmark + d, record)) continue;
       if (survey.weighted && all_rows[l] >= 0 && record[d] <= weights[l]) continue;
       if (survey.weighted) weights[l] = record[d];
-      all_rows[l] = tiles::row_of(record[width]);
+      all_rows[l] = pages::row_of(record[width]);
     }
   }
   survey.landmark_rows = ranks.max(std::move(all_rows));
@@ -163,7 +163,7 @@ tiles::TilePoints OwnedPages::points(std::size_t tile) const {
   points.rows.reserve(records.size() / (width + 1));
   for (std::size_t i = 0; i < records.size(); i += width + 1) {
     points.points.insert(points.points.end(), records.data() + i, records.data() + i + width);
-    points.rows.push_back(tiles::row_of(records[i + width]));
+    points.rows.push_back(pages::row_of(records[i + width]));
   }
   points.duplicates = duplicates_[tile - first_tile_];
   return points;

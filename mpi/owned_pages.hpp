@@ -2,11 +2,12 @@
 // The points of the tiles of a rank, in pages, in its memory; the table of all pages at every rank.
 #pragma once
 
+#include "pages/page_order.hpp"
+#include "pages/pages.hpp"
 #include "ranks.hpp"
 #include "share.hpp"
-#include "tiles/page_order.hpp"
-#include "tiles/pages.hpp"
 #include "tiles/split_tree.hpp"
+#include "tiles/survey.hpp"
 #include "tiles/tile_points.hpp"
 
 #include <cstddef>
@@ -33,7 +34,7 @@ class OwnedPages {
 
   const TileOwners& owners() const { return owners_; }
   /// Of all ranks.
-  const tiles::PageTable& table() const { return table_; }
+  const pages::PageTable& table() const { return table_; }
   std::size_t owner_of_page(std::size_t page) const;
 
   bool has(std::size_t page) const { return page >= first_page_ && page < last_page_; }
@@ -46,12 +47,12 @@ class OwnedPages {
   void receive(Share& share, std::int64_t first_row, const tiles::SplitTree& tree, Ranks& ranks,
                std::uint64_t memory);
   void settle_landmarks(tiles::Survey& survey, const tiles::SplitTree& tree, const Ranks& ranks) const;
-  void make_table(const tiles::PageTable& own, const tiles::SplitTree& tree, const Ranks& ranks);
+  void make_table(const pages::PageTable& own, const tiles::SplitTree& tree, const Ranks& ranks);
   std::size_t record_size() const { return table_.row_size() + 1; }
 
   TileOwners owners_;
   std::size_t first_tile_ = 0, last_tile_ = 0, first_page_ = 0, last_page_ = 0;
-  tiles::PageTable table_;
+  pages::PageTable table_;
   std::vector<std::vector<double>> records_;               // of each tile of this rank
   std::vector<std::vector<tiles::Duplicate>> duplicates_;  // the same
 };

@@ -7,12 +7,12 @@
 
 namespace delone::mpi {
 
-std::shared_ptr<const tiles::Page> RemotePages::find(std::size_t page) {
+std::shared_ptr<const pages::Page> RemotePages::find(std::size_t page) {
   const std::lock_guard lock(mutex_);
-  std::shared_ptr<const tiles::Page>& found = pages_[page];
+  std::shared_ptr<const pages::Page>& found = pages_[page];
   if (!found) {
     if (own_.has(page))
-      found = tiles::page_of_records(own_.records(page), own_.table().row_size());
+      found = pages::page_of_records(own_.records(page), own_.table().row_size());
     else
       wanted_.push_back(page);
   }
@@ -20,7 +20,7 @@ std::shared_ptr<const tiles::Page> RemotePages::find(std::size_t page) {
 }
 
 void RemotePages::want_near(std::size_t tile) {
-  const tiles::PageTable& table = own_.table();
+  const pages::PageTable& table = own_.table();
   const auto d = static_cast<std::size_t>(table.dimension);
   const double infinity = std::numeric_limits<double>::infinity();
   std::vector<double> low(d, infinity), high(d, -infinity);
@@ -66,7 +66,7 @@ std::size_t RemotePages::exchange(Ranks& ranks) {
     for (const std::uint64_t page : wanted_of[r]) {
       const auto number = static_cast<std::size_t>(page);
       const std::size_t size = own_.table().page_size(number) * (row_size + 1);
-      pages_[number] = tiles::page_of_records(records.first(size), row_size);
+      pages_[number] = pages::page_of_records(records.first(size), row_size);
       records = records.subspan(size);
     }
   }

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "owned_pages.hpp"
+#include "pages/pages.hpp"
 #include "ranks.hpp"
-#include "tiles/pages.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -14,12 +14,12 @@
 
 namespace delone::mpi {
 
-class RemotePages final : public tiles::PageSource {
+class RemotePages final : public pages::PageSource {
  public:
   explicit RemotePages(const OwnedPages& own) : own_(own), pages_(own.table().num_pages()) {}
 
   /// Null for a page of another rank that has not come; exchange() will get it.
-  std::shared_ptr<const tiles::Page> find(std::size_t page) override;
+  std::shared_ptr<const pages::Page> find(std::size_t page) override;
   /// Wants the pages of other ranks that are near a tile, as many questions will reach them.
   void want_near(std::size_t tile);
   /// Every rank gets the pages that it wants, each in one message per owner. Collective. Returns how many
@@ -31,7 +31,7 @@ class RemotePages final : public tiles::PageSource {
  private:
   const OwnedPages& own_;
   std::mutex mutex_;  // of the members below
-  std::vector<std::shared_ptr<const tiles::Page>> pages_;
+  std::vector<std::shared_ptr<const pages::Page>> pages_;
   std::vector<std::uint64_t> wanted_;  // with repetitions
 };
 

@@ -62,11 +62,13 @@ RULES = {
     "src/io/complexes": (PUBLIC, {"src/io", "src/io/points", "src/messages", "src/base"}),
     "src/io/polyhedra": (PUBLIC, {"src/io", "src/messages", "src/base"}),
     "src/view": (PUBLIC, {"src/faces", "src/io", "src/io/complexes", "src/base"}),
-    "src/tiles": (PUBLIC, {"src/triangulation", "src/solve", "src/complex", "src/io", "src/io/points", "src/io/complexes", "src/order",
+    # Points in pages, and which of them is in conflict with a cell first: what tiles and periodic sets share.
+    "src/pages": (BASICS, {"src/io", "src/order", "src/kernel", "src/base"}),
+    "src/tiles": (PUBLIC, {"src/pages", "src/triangulation", "src/solve", "src/complex", "src/io", "src/io/points", "src/io/complexes",
                            "src/kernel", "src/forecast/model", "src/messages", "src/base"}),
-    "src/tiles/making": (PUBLIC, {"src/tiles", "src/periodic", "src/triangulation", "src/complex", "src/io", "src/kernel", "src/base"}),
+    "src/tiles/making": (PUBLIC, {"src/tiles", "src/pages", "src/periodic", "src/triangulation", "src/complex", "src/io", "src/kernel", "src/base"}),
     "src/tiles/check": (PUBLIC, {"src/tiles", "src/tiles/making", "src/periodic", "src/check", "src/complex", "src/io", "src/kernel", "src/base"}),
-    "src/periodic": (PUBLIC, {"src/tiles", "src/queries", "src/triangulation", "src/solve", "src/complex", "src/kernel", "src/base"}),
+    "src/periodic": (PUBLIC, {"src/pages", "src/queries", "src/triangulation", "src/solve", "src/complex", "src/kernel", "src/base"}),
     # The public header for MPI includes that of MPI.
     "include/delone/mpi": (PUBLIC, set()),
     "mpi": (PUBLIC, {"src/*", "cli"}),

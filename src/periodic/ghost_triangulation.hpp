@@ -68,7 +68,7 @@ class GhostTriangulation {
   /// An image that a cell is in conflict with, and its place among the pages if it was searched there.
   struct Found {
     Image image;
-    std::optional<tiles::PointPlace> place;
+    std::optional<pages::PointPlace> place;
     CellId cell;
   };
 

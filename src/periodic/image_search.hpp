@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The search for the image that a growing sphere through a point of the set meets first: the question of
-// tiles/question.hpp, asked in each translated copy of the pages that the sphere may reach. Points of a tile
+// pages/question.hpp, asked in each translated copy of the pages that the sphere may reach. Points of a tile
 // ask, too, for those of other tiles: the copy that is not translated.
 //
 // Which copies. The part of a ball of center c and radius R between two planes orthogonal to a free direction
@@ -31,7 +31,7 @@ struct FoundImage {
   bool is_open = false;
   bool is_waiting = false;  ///< a page that may hold a better one is not here yet
   std::uint32_t shift = 0;
-  tiles::PointPlace place;
+  pages::PointPlace place;
 };
 
 /// `Copies`: Images, or what a tile has instead.
@@ -76,7 +76,7 @@ class ImageSearch {
     const double start = set_.period.shortest() / 2;
     double part = radius_ <= start || !std::isfinite(radius_) ? 1 : start / radius_;
     FoundImage found;
-    tiles::Answer best;
+    pages::Answer best;
     for (;; part = std::min(1.0, 2 * part)) {
       find_range(part);
       for (std::size_t i = 0; i < set_.rank; ++i) at_[i] = of_p_[i] + part * of_step_[i];
@@ -93,7 +93,7 @@ class ImageSearch {
   FoundImage find_beyond(const double* p, const double* normal, std::span<const std::int32_t> k,
                          const Exact& is_in_conflict) {
     k_.assign(k.begin(), k.end());
-    tiles::Answer best;
+    pages::Answer best;
     FoundImage found;
     ask_in_copy(p, is_in_conflict, best, found,
                 [&](const Shift&) { question_.ask_beyond_facet(moved_p_.data(), normal); });
@@ -206,7 +206,7 @@ class ImageSearch {
   }
 
   template <class Exact>
-  void ask(const double* p, const double* c, const Exact& is_in_conflict, tiles::Answer& best,
+  void ask(const double* p, const double* c, const Exact& is_in_conflict, pages::Answer& best,
            FoundImage& found) {
     ask_in_copy(p, is_in_conflict, best, found, [&](const Shift& shift) {
       for (std::size_t j = 0; j < set_.dimension; ++j) moved_c_[j] = c[j] - shift.by[j];
@@ -215,7 +215,7 @@ class ImageSearch {
   }
   /// In the copy of k_. put_question(shift) puts it where the copy is not translated.
   template <class Exact, class PutQuestion>
-  void ask_in_copy(const double* p, const Exact& is_in_conflict, tiles::Answer& best, FoundImage& found,
+  void ask_in_copy(const double* p, const Exact& is_in_conflict, pages::Answer& best, FoundImage& found,
                    const PutQuestion& put_question) {
     const std::uint32_t number = images_.shift_number(k_);
     const Shift& shift = images_.shift(number);
@@ -223,7 +223,7 @@ class ImageSearch {
     for (std::size_t j = 0; j < d; ++j) moved_p_[j] = p[j] - shift.by[j];
     if (set_.weighted) moved_p_[d] = p[d];
     put_question(shift);
-    const tiles::Answer before = best;
+    const pages::Answer before = best;
     best = (is_zero(k_) ? search_of_others_ : search_)
                .find_better(
                    question_,
@@ -241,7 +241,7 @@ class ImageSearch {
     return std::all_of(k.begin(), k.end(), [](std::int32_t one) { return one == 0; });
   }
   /// Searches are told for each question what is known.
-  const tiles::KnownPoints& untranslated_known() {
+  const pages::KnownPoints& untranslated_known() {
     const std::uint32_t number = images_.shift_number(std::vector<std::int32_t>(set_.rank, 0));
     return images_.shift(number).known;
   }
@@ -250,8 +250,8 @@ class ImageSearch {
   const Extent& extent_;
   const PeriodicSet& set_;
   const bool has_others_;  // points in other pages
-  tiles::Question<D> question_;
-  tiles::PageSearch search_, search_of_others_;
+  pages::Question<D> question_;
+  pages::PageSearch search_, search_of_others_;
   std::vector<double> moved_p_, moved_c_, image_;
   std::vector<double> fraction_of_p_, step_, slack_;  // of c − p, by the axes of the lattice
   std::vector<std::int32_t> k_, low_, high_;

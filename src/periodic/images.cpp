@@ -2,7 +2,7 @@
 #include "periodic/images.hpp"
 
 #include "base/progress_meter.hpp"
-#include "tiles/page_order.hpp"
+#include "pages/page_order.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,17 +26,17 @@ void Images::make_pages() {
   records.reserve(n * (width + 1));
   for (std::size_t row = 0; row < n; ++row) {
     records.insert(records.end(), set_.row(row), set_.row(row) + width);
-    records.push_back(tiles::coded_row(static_cast<std::int64_t>(row)));
+    records.push_back(pages::coded_row(static_cast<std::int64_t>(row)));
     extent_.add(set_.row(row), static_cast<std::int64_t>(row));
   }
-  tiles::order_pages(records, tiles::points_per_page(n), table_);
+  pages::order_pages(records, pages::points_per_page(n), table_);
   const double* record = records.data();
   for (std::size_t page = 0; page < table_.num_pages(); ++page) {
     const std::size_t numbers = table_.page_size(page) * (width + 1);
-    source_.pages.push_back(tiles::page_of_records({record, numbers}, width));
+    source_.pages.push_back(pages::page_of_records({record, numbers}, width));
     record += numbers;
   }
-  tree_ = std::make_unique<tiles::PageTree>(table_);
+  tree_ = std::make_unique<pages::PageTree>(table_);
 }
 
 std::uint32_t Images::shift_number(std::span<const std::int32_t> k) {
@@ -50,7 +50,7 @@ std::uint32_t Images::shift_number(std::span<const std::int32_t> k) {
     try {
       auto shift = std::make_unique<Shift>(Shift{{k.begin(), k.end()},
                                                  std::vector<double>(set_.dimension, 0.0),
-                                                 tiles::KnownPoints(table_.num_pages())});
+                                                 pages::KnownPoints(table_.num_pages())});
       set_.period.translate(k, shift->by.data());
       shifts_.push_back(std::move(shift));
     } catch (...) {
@@ -91,13 +91,13 @@ std::vector<Image> Images::layer(double width) {
 void Images::set_known(std::vector<double> below, std::vector<double> above, std::span<const Image> images) {
   known_below_ = std::move(below);
   known_above_ = std::move(above);
-  std::vector<tiles::PointPlace> place_of_row(set_.num_points());
+  std::vector<pages::PointPlace> place_of_row(set_.num_points());
   for (std::uint32_t page = 0; page < source_.pages.size(); ++page)
     for (std::uint32_t slot = 0; slot < source_.pages[page]->size(); ++slot)
       place_of_row[static_cast<std::size_t>(source_.pages[page]->rows[slot])] = {page, slot};
   for (const Image& image : images) {
     if (image.shift == 0) continue;
-    const tiles::PointPlace& place = place_of_row[image.row];
+    const pages::PointPlace& place = place_of_row[image.row];
     shifts_[image.shift]->known.add(place.page, place.slot, table_.page_size(place.page));
   }
 }
@@ -105,11 +105,11 @@ void Images::set_known(std::vector<double> below, std::vector<double> above, std
 void Images::forget_known() {
   known_below_.assign(set_.rank, 0.0);
   known_above_ = known_below_;
-  for (const auto& shift : shifts_) shift->known = tiles::KnownPoints(table_.num_pages());
+  for (const auto& shift : shifts_) shift->known = pages::KnownPoints(table_.num_pages());
 }
 
 void Images::take_layer_of(std::size_t number, double width, std::vector<Image>& images) {
-  const tiles::Page& page = *source_.pages[number];
+  const pages::Page& page = *source_.pages[number];
   const std::size_t d = set_.dimension, r = set_.rank, size = page.size();
   double side = 0;
   for (std::size_t j = 0; j < d; ++j) side += table_.high(number)[j] - table_.low(number)[j];

@@ -3,10 +3,10 @@
 // known, because a triangulation has them, and with which ones it begins.
 #pragma once
 
+#include "pages/page_tree.hpp"
+#include "pages/pages.hpp"
 #include "periodic/extent.hpp"
 #include "periodic/periodic_set.hpp"
-#include "tiles/page_tree.hpp"
-#include "tiles/pages.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -37,7 +37,7 @@ struct Image {
 struct Shift {
   std::vector<std::int32_t> k;
   std::vector<double> by;
-  tiles::KnownPoints known;
+  pages::KnownPoints known;
 };
 
 class Images {
@@ -48,9 +48,9 @@ class Images {
   Images& operator=(const Images&) = delete;
 
   const PeriodicSet& set() const { return set_; }
-  const tiles::PageTable& table() const { return table_; }
-  const tiles::PageTree& tree() const { return *tree_; }
-  tiles::PageSource& source() { return source_; }
+  const pages::PageTable& table() const { return table_; }
+  const pages::PageTree& tree() const { return *tree_; }
+  pages::PageSource& source() { return source_; }
   const Extent& extent() const { return extent_; }
 
   /// The number of a shift; 0 is that of k = 0. Shifts are made on first use and stay where they are.
@@ -60,7 +60,7 @@ class Images {
   std::size_t num_shifts() const { return shifts_.size(); }
   /// The coordinates, and the weight, of an image. Exact.
   void copy_image(const Image& image, double* to) const;
-  Image image_at(std::uint32_t shift, const tiles::PointPlace& place) const {
+  Image image_at(std::uint32_t shift, const pages::PointPlace& place) const {
     return {static_cast<std::uint32_t>(source_.pages[place.page]->rows[place.slot]), shift};
   }
 
@@ -81,19 +81,19 @@ class Images {
   void forget_known();
 
  private:
-  class Source final : public tiles::PageSource {
+  class Source final : public pages::PageSource {
    public:
-    std::shared_ptr<const tiles::Page> find(std::size_t page) override { return pages[page]; }
-    std::vector<std::shared_ptr<const tiles::Page>> pages;
+    std::shared_ptr<const pages::Page> find(std::size_t page) override { return pages[page]; }
+    std::vector<std::shared_ptr<const pages::Page>> pages;
   };
 
   void make_pages();
   void take_layer_of(std::size_t page, double width, std::vector<Image>& images);
 
   const PeriodicSet& set_;
-  tiles::PageTable table_;
+  pages::PageTable table_;
   Source source_;
-  std::unique_ptr<tiles::PageTree> tree_;
+  std::unique_ptr<pages::PageTree> tree_;
   Extent extent_;
   std::vector<std::unique_ptr<Shift>> shifts_;
   std::unordered_map<std::uint64_t, std::uint32_t> number_of_code_;

@@ -2,13 +2,15 @@
 #include "tiles/duplicates.hpp"
 
 #include "complex/canonical_hash.hpp"
-#include "tiles/page_order.hpp"
+#include "pages/page_order.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <limits>
 
 namespace delone::tiles {
+
+using pages::row_of;
 
 std::vector<Duplicate> take_duplicates(std::vector<double>& records, std::size_t row_size) {
   const std::size_t record_size = row_size + 1, n = records.size() / record_size;

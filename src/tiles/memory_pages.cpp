@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tiles/memory_pages.hpp"
 
-#include "tiles/page_order.hpp"
+#include "pages/page_order.hpp"
 #include "tiles/point_stream.hpp"
 #include "tiles/split_tree.hpp"
 #include "tiles/survey.hpp"
@@ -10,6 +10,8 @@
 #include <utility>
 
 namespace delone::tiles {
+
+using pages::Page;
 
 class MemoryPages::Source final : public PageSource {
  public:
@@ -30,18 +32,19 @@ MemoryPages::MemoryPages(std::span<const double> rows, int dimension, std::size_
   for (std::size_t at = 0; at < rows.size(); at += d) {
     std::vector<double>& of_tile = records[tree.tile_of(&rows[at])];
     of_tile.insert(of_tile.end(), &rows[at], &rows[at] + d);
-    of_tile.push_back(coded_row(static_cast<std::int64_t>(at / d)));
+    of_tile.push_back(pages::coded_row(static_cast<std::int64_t>(at / d)));
   }
   auto source = std::make_unique<Source>();
   std::vector<Tile> boxes = tree.boxes();
   for (std::size_t t = 0; t < records.size(); ++t) {
     duplicates_.push_back(take_duplicates(records[t], d));
-    order_pages(records[t], page_points > 0 ? page_points : points_per_page(survey_.num_points), table_);
+    pages::order_pages(records[t], page_points > 0 ? page_points : pages::points_per_page(survey_.num_points),
+                       table_);
     table_.tiles.back().low = std::move(boxes[t].low);
     table_.tiles.back().high = std::move(boxes[t].high);
     const double* record = records[t].data();
     for (std::size_t page = source->pages.size(); page < table_.num_pages(); ++page) {
-      source->pages.push_back(page_of_records({record, table_.page_size(page) * (d + 1)}, d));
+      source->pages.push_back(pages::page_of_records({record, table_.page_size(page) * (d + 1)}, d));
       record += table_.page_size(page) * (d + 1);
     }
   }

@@ -2,7 +2,8 @@
 // Points in memory, cut into tiles and pages: what a page file is on disk.
 #pragma once
 
-#include "tiles/pages.hpp"
+#include "pages/pages.hpp"
+#include "tiles/survey.hpp"
 #include "tiles/tile_points.hpp"
 
 #include <cstddef>
@@ -11,6 +12,9 @@
 #include <vector>
 
 namespace delone::tiles {
+
+using pages::PageSource;
+using pages::PageTable;
 
 class MemoryPages {
  public:

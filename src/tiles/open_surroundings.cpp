@@ -5,6 +5,12 @@
 
 namespace delone::tiles {
 
+using pages::Answer;
+using pages::KnownPoints;
+using pages::PageSearch;
+using pages::Question;
+using pages::Tile;
+
 namespace {
 
 template <int D>

@@ -18,6 +18,8 @@
 
 namespace delone::tiles {
 
+using pages::row_of;
+
 namespace {
 
 /// Pages are read and written in pieces of about so many bytes.
@@ -54,7 +56,7 @@ class Buckets {
     std::vector<double>& block = buckets_[tile].block;
     if (block.empty()) block.reserve(block_size_);
     block.insert(block.end(), row, row + row_size);
-    block.push_back(coded_row(number));
+    block.push_back(pages::coded_row(number));
     if (block.size() == block_size_) flush(buckets_[tile]);
   }
 
@@ -157,7 +159,7 @@ PageTable make_page_file(PointStream& points, const Survey& survey, const SplitT
   io::PositionedFile file(path, io::PositionedFile::Mode::write),
       duplicates_file(path_of_duplicates, io::PositionedFile::Mode::write);
   const std::size_t page_points =
-      options.page_points > 0 ? options.page_points : points_per_page(survey.num_points);
+      options.page_points > 0 ? options.page_points : pages::points_per_page(survey.num_points);
   std::vector<Tile> boxes = tree.boxes();
   std::vector<double> records, piece;
   for (std::size_t t = 0; t < num_tiles; ++t) {
@@ -171,7 +173,7 @@ PageTable make_page_file(PointStream& points, const Survey& survey, const SplitT
                           duplicates.size() * sizeof(Duplicate));
     table.duplicates_content.add(bytes_of(duplicates));
     table.first_duplicate.push_back(table.first_duplicate.back() + duplicates.size());
-    order_pages(records, page_points, table);
+    pages::order_pages(records, page_points, table);
     write_pages(records, table, file, piece);
     table.tiles.back().low = std::move(boxes[t].low);
     table.tiles.back().high = std::move(boxes[t].high);

@@ -3,10 +3,11 @@
 #pragma once
 
 #include "io/positioned_file.hpp"
-#include "tiles/page_order.hpp"
-#include "tiles/pages.hpp"
+#include "pages/page_order.hpp"
+#include "pages/pages.hpp"
 #include "tiles/point_stream.hpp"
 #include "tiles/split_tree.hpp"
+#include "tiles/survey.hpp"
 #include "tiles/tile_points.hpp"
 
 #include <atomic>
@@ -19,6 +20,10 @@
 #include <unordered_map>
 
 namespace delone::tiles {
+
+using pages::Page;
+using pages::PageSource;
+using pages::PageTable;
 
 struct PageFileOptions {
   std::size_t page_points = 0;  ///< the most points of a page; 0: by the number of points

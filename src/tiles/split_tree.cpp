@@ -33,7 +33,7 @@ class Splitter {
     if (num_tiles < 2 || last - first < 2) return -1 - tree_.num_tiles++;
     const int axis = longest_axis_of(first, last);
     const auto is_before = [&](const double* a, const double* b) {
-      return compare_along(a, b, axis, dimension_) < 0;
+      return pages::compare_along(a, b, axis, dimension_) < 0;
     };
     const auto begin = positions_.begin() + static_cast<std::ptrdiff_t>(first);
     const auto end = positions_.begin() + static_cast<std::ptrdiff_t>(last);
@@ -70,7 +70,7 @@ class Splitter {
         low[axis] = std::min(low[axis], positions_[i][axis]);
         high[axis] = std::max(high[axis], positions_[i][axis]);
       }
-    return longest_axis(low.data(), high.data(), dimension_);
+    return pages::longest_axis(low.data(), high.data(), dimension_);
   }
 
   int dimension_;

@@ -2,8 +2,8 @@
 // The cut into tiles: a k-d tree whose inner nodes compare positions with splitters.
 #pragma once
 
-#include "tiles/cyclic_order.hpp"
-#include "tiles/pages.hpp"
+#include "pages/cyclic_order.hpp"
+#include "pages/pages.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +11,8 @@
 #include <vector>
 
 namespace delone::tiles {
+
+using pages::Tile;
 
 /// Which tile has a position: equal ones the same, by compare_along(). Plain arrays, which can be sent.
 struct SplitTree {
@@ -28,7 +30,7 @@ struct SplitTree {
     while (node >= 0) {
       const auto n = static_cast<std::size_t>(node);
       const double* const splitter = splitters.data() + n * static_cast<std::size_t>(dimension);
-      node = compare_along(point, splitter, axes[n], dimension) < 0 ? below[n] : beyond[n];
+      node = pages::compare_along(point, splitter, axes[n], dimension) < 0 ? below[n] : beyond[n];
     }
     return static_cast<std::size_t>(-1 - node);
   }

@@ -3,8 +3,9 @@
 // the points of other tiles, and in a periodic set translates of all points.
 #pragma once
 
-#include "tiles/page_tree.hpp"
-#include "tiles/pages.hpp"
+#include "pages/page_tree.hpp"
+#include "pages/pages.hpp"
+#include "tiles/survey.hpp"
 
 #include <compare>
 #include <cstddef>
@@ -15,6 +16,10 @@
 #include <vector>
 
 namespace delone::tiles {
+
+using pages::PageSource;
+using pages::PageTree;
+using pages::PointPlace;
 
 /// A point of a page, translated by a shift; 0 is no translation.
 struct ForeignPlace {

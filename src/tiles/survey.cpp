@@ -5,7 +5,7 @@
 #include "base/progress_meter.hpp"
 #include "base/random.hpp"
 #include "kernel/predicates.hpp"
-#include "tiles/cyclic_order.hpp"
+#include "pages/cyclic_order.hpp"
 
 #include <algorithm>
 
@@ -75,7 +75,7 @@ class Surveyor {
       for (std::size_t end = 0; end < 2; ++end) {
         Landmark& extreme = extremes_[2 * axis + end];
         const int order =
-            compare_along(row, extreme.point.data(), static_cast<int>(axis), static_cast<int>(d_));
+            pages::compare_along(row, extreme.point.data(), static_cast<int>(axis), static_cast<int>(d_));
         if (end == 0 ? order < 0 : order > 0) extreme = landmark(row);
       }
   }

@@ -3,7 +3,6 @@
 // sample to cut them by.
 #pragma once
 
-#include "tiles/pages.hpp"
 #include "tiles/point_stream.hpp"
 
 #include <cstddef>
@@ -11,6 +10,20 @@
 #include <vector>
 
 namespace delone::tiles {
+
+/// What is known of the whole set before the first tile: every tile starts from it.
+struct Survey {
+  int dimension = 0;
+  bool weighted = false;
+  std::uint64_t num_points = 0;
+  int affine_dimension = -1;
+  std::vector<double> low, high;  ///< the box of all points
+  double lowest_weight = 0, largest_weight = 0;
+  /// k+1 affinely independent points and the extreme ones along each axis: rows of d coordinates and the
+  /// weight, and their rows of the input.
+  std::vector<double> landmarks;
+  std::vector<std::int64_t> landmark_rows;
+};
 
 struct SurveyResult {
   Survey survey;

@@ -2,8 +2,8 @@
 #include "tiles/tile_plan.hpp"
 
 #include "forecast/model/tiles_share.hpp"
+#include "pages/page_tree.hpp"
 #include "tiles/memory_pages.hpp"
-#include "tiles/page_tree.hpp"
 #include "tiles/tile_triangulation.hpp"
 
 #include <delone/delaunay.hpp>

@@ -3,7 +3,7 @@
 // per point, is measured on a sample.
 #pragma once
 
-#include "tiles/pages.hpp"
+#include "tiles/survey.hpp"
 
 #include <delone/tiles.hpp>
 

@@ -8,9 +8,10 @@
 // nothing has to be merged, and tiles agree wherever they meet.
 #pragma once
 
+#include "pages/page_tree.hpp"
 #include "tiles/finished_tile.hpp"
-#include "tiles/page_tree.hpp"
 #include "tiles/surroundings.hpp"
+#include "tiles/survey.hpp"
 #include "tiles/tile_points.hpp"
 #include "triangulation/triangulation_impl.hpp"
 
@@ -29,6 +30,9 @@
 #include <vector>
 
 namespace delone::tiles {
+
+using pages::Page;
+using pages::Tile;
 
 struct TileOptions {
   unsigned threads = 1;

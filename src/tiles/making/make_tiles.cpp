@@ -116,7 +116,7 @@ class Run {
   }
   /// Without what is there already, the boxes of all pages, the cache of pages, and a reserve.
   std::uint64_t memory_for_tiles() const {
-    const std::uint64_t pages = survey_.num_points / points_per_page(survey_.num_points) + 1,
+    const std::uint64_t pages = survey_.num_points / pages::points_per_page(survey_.num_points) + 1,
                         per_page = 60 * static_cast<std::uint64_t>(survey_.dimension) + 40,
                         used = platform::resident_memory() + pages * per_page + cache_bytes() + memory_ / 20;
     if (used >= memory_)

@@ -14,6 +14,9 @@
 
 namespace delone::tiles {
 
+using pages::KnownPoints;
+using pages::Tile;
+
 namespace {
 
 using periodic::Extent;

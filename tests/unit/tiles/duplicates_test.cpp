@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tiles/duplicates.hpp"
-#include "tiles/page_order.hpp"
+#include "pages/page_order.hpp"
 
 #include <gtest/gtest.h>
 
 namespace {
 
+using namespace delone::pages;
 using namespace delone::tiles;
 
 TEST(TakeDuplicates, KeepsTheFirstRow) {

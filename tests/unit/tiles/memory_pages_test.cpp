@@ -28,7 +28,7 @@ TEST(MemoryPages, HaveEveryRowOnce) {
     for (std::size_t t = 0; t < num_tiles; ++t) {
       const TilePoints points = pages.points(t);
       ASSERT_EQ(points.points.size(), 2 * points.rows.size());
-      const Tile& tile = pages.table().tiles[t];
+      const pages::Tile& tile = pages.table().tiles[t];
       for (std::size_t i = 0; i < points.rows.size(); ++i) {
         const auto row = static_cast<std::size_t>(points.rows[i]);
         ++seen[row];

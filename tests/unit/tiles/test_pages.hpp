@@ -3,7 +3,7 @@
 #pragma once
 
 #include "kernel/predicates.hpp"
-#include "tiles/pages.hpp"
+#include "pages/pages.hpp"
 #include "tiles/tile_triangulation.hpp"
 
 #include <algorithm>
@@ -15,6 +15,7 @@
 namespace delone_test {
 
 using namespace delone;
+using namespace delone::pages;
 using namespace delone::tiles;
 
 class TestPages final : public PageSource {

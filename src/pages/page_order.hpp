@@ -2,7 +2,7 @@
 // The points of a tile in the order of a k-d tree, cut into pages.
 #pragma once
 
-#include "tiles/pages.hpp"
+#include "pages/pages.hpp"
 
 #include <bit>
 #include <cstddef>
@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::tiles {
+namespace delone::pages {
 
 /// Points and their rows in one array: d coordinates, the weight if there is one, and the bits of the row.
 /// Rows are far below 2^52, so that none reads as a NaN.
@@ -30,4 +30,4 @@ std::size_t points_per_page(std::uint64_t num_points);
 /// records. The box of the tile is left to the caller. O(n log n).
 void order_pages(std::vector<double>& records, std::size_t page_points, PageTable& table);
 
-}  // namespace delone::tiles
+}  // namespace delone::pages

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace delone::tiles {
+namespace delone::pages {
 
 /// A question as the kernel reads it; see Question.
 struct QuestionForm {
@@ -38,4 +38,4 @@ unsigned find_open_boxes(std::size_t d, const QuestionForm& question, const doub
 std::uint64_t find_points_not_outside(std::size_t d, const QuestionForm& question, const double* coordinates,
                                       std::size_t stride, std::size_t count);
 
-}  // namespace delone::tiles
+}  // namespace delone::pages

@@ -37,14 +37,14 @@
 #pragma once
 
 #include "kernel/buffer.hpp"
-#include "tiles/question_kernel.hpp"
+#include "pages/question_kernel.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 
-namespace delone::tiles {
+namespace delone::pages {
 
 enum class QuestionSide { outside, inside, unsure };
 
@@ -136,4 +136,4 @@ class Question {
   kernel::Buffer<double, D> reach_;      // |p − c| + |c|
 };
 
-}  // namespace delone::tiles
+}  // namespace delone::pages

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All points in the order of a k-d tree, cut into pages of neighboring points: what every tile knows of the
-// others are the boxes of their pages; the points of a page come when a question reaches it.
+// All points in the order of a k-d tree, cut into pages of neighboring points. A search reads the boxes of
+// pages, which are always there; the points of a page come when a question reaches it.
 #pragma once
 
 #include "io/crc32.hpp"
@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::tiles {
+namespace delone::pages {
 
 /// The points of a page.
 struct Page {
@@ -69,18 +69,4 @@ class PageSource {
   virtual std::shared_ptr<const Page> find(std::size_t page) = 0;
 };
 
-/// What is known of the whole set before the first tile: every tile starts from it.
-struct Survey {
-  int dimension = 0;
-  bool weighted = false;
-  std::uint64_t num_points = 0;
-  int affine_dimension = -1;
-  std::vector<double> low, high;  ///< the box of all points
-  double lowest_weight = 0, largest_weight = 0;
-  /// k+1 affinely independent points and the extreme ones along each axis: rows of d coordinates and the
-  /// weight, and their rows of the input.
-  std::vector<double> landmarks;
-  std::vector<std::int64_t> landmark_rows;
-};
-
-}  // namespace delone::tiles
+}  // namespace delone::pages

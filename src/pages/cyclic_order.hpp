@@ -2,7 +2,7 @@
 // The order of positions along an axis, in which only equal positions are tied.
 #pragma once
 
-namespace delone::tiles {
+namespace delone::pages {
 
 /// Negative, zero or positive as a is before, at or after b: lexicographically by the coordinates axis,
 /// axis + 1, … d − 1, 0, … axis − 1. −0 and +0 are equal. So a lattice can be cut within a plane, and equal
@@ -29,4 +29,4 @@ inline int longest_axis(const double* low, const double* high, int dimension) {
   return longest;
 }
 
-}  // namespace delone::tiles
+}  // namespace delone::pages

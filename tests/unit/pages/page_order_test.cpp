@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tiles/page_order.hpp"
+#include "pages/page_order.hpp"
 
-#include "tile_sets.hpp"
+#include "../tiles/tile_sets.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-namespace delone::tiles {
+namespace delone::pages {
 namespace {
 
 std::vector<double> records_of(const test::TileSet& set) {
@@ -96,4 +96,4 @@ TEST(PageOrder, DependsOnPointsAlone) {
 }
 
 }  // namespace
-}  // namespace delone::tiles
+}  // namespace delone::pages

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The points of a tile in the order of a k-d tree. See page_order.hpp.
-#include "tiles/page_order.hpp"
+#include "pages/page_order.hpp"
 
 #include "base/progress_meter.hpp"
 #include "order/select.hpp"
-#include "tiles/cyclic_order.hpp"
+#include "pages/cyclic_order.hpp"
 
 #include <algorithm>
 #include <array>
 #include <limits>
 #include <numeric>
 
-namespace delone::tiles {
+namespace delone::pages {
 
 namespace {
 
@@ -163,4 +163,4 @@ void order_pages(std::vector<double>& records, std::size_t page_points, PageTabl
   table.tiles.push_back(tile);
 }
 
-}  // namespace delone::tiles
+}  // namespace delone::pages

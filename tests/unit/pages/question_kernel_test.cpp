@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The SIMD kernel against exact fractions: what it leaves out is outside, what it keeps is not far from that.
 #include "degenerate.hpp"
-#include "tiles/page_tree.hpp"
-#include "tiles/question.hpp"
+#include "pages/page_tree.hpp"
+#include "pages/question.hpp"
 
 #include <delone/predicates.hpp>
 
@@ -16,7 +16,7 @@
 namespace {
 
 using namespace delone;
-using namespace delone::tiles;
+using namespace delone::pages;
 using Rational = boost::multiprecision::cpp_rational;
 
 /// |x − p|² − w_x + w_p − 2(c − p)·(x − p): negative inside.

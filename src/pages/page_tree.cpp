@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Building the tree of boxes.
-#include "tiles/page_tree.hpp"
+#include "pages/page_tree.hpp"
 
 #include <algorithm>
 #include <limits>
 
-namespace delone::tiles {
+namespace delone::pages {
 
 PageTree::PageTree(const PageTable& table)
     : table_(table),
@@ -70,4 +70,4 @@ std::size_t PageTree::build(const Range& range) {
   return number;
 }
 
-}  // namespace delone::tiles
+}  // namespace delone::pages

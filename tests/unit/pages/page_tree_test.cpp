@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Searches in the tree of pages against all points.
+#include "../tiles/test_pages.hpp"
 #include "degenerate.hpp"
-#include "test_pages.hpp"
 
 #include <delone/point_sets.hpp>
 

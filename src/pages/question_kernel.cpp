@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tiles/question_kernel.hpp"
+#include "pages/question_kernel.hpp"
 
 #include "base/compiled_dimension.hpp"
 
 #ifndef HWY_TARGET_INCLUDE  // else several kernels are compiled together
-#define HWY_TARGET_INCLUDE "tiles/question_kernel.cpp"
+#define HWY_TARGET_INCLUDE "pages/question_kernel.cpp"
 #endif
 #include <hwy/foreach_target.h>
 // After foreach_target.h
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace delone::tiles {
+namespace delone::pages {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -125,11 +125,11 @@ std::uint64_t find_points_not_outside_here(std::size_t d, const QuestionForm& qu
 }
 
 }  // namespace HWY_NAMESPACE
-}  // namespace delone::tiles
+}  // namespace delone::pages
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace delone::tiles {
+namespace delone::pages {
 
 HWY_EXPORT(find_open_boxes_here);
 HWY_EXPORT(find_points_not_outside_here);
@@ -144,5 +144,5 @@ std::uint64_t find_points_not_outside(std::size_t d, const QuestionForm& questio
   return HWY_DYNAMIC_DISPATCH(find_points_not_outside_here)(d, question, coordinates, stride, count);
 }
 
-}  // namespace delone::tiles
+}  // namespace delone::pages
 #endif

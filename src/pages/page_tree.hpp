@@ -2,8 +2,8 @@
 // A tree of boxes over all pages, and the search for the point that answers a question.
 #pragma once
 
-#include "tiles/pages.hpp"
-#include "tiles/question.hpp"
+#include "pages/pages.hpp"
+#include "pages/question.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace delone::tiles {
+namespace delone::pages {
 
 /// The boxes of pages in a tree of eight children per node: it divides tiles first, and then the pages of
 /// each.
@@ -207,4 +207,4 @@ class PageSearch {
   std::vector<double> point_;
 };
 
-}  // namespace delone::tiles
+}  // namespace delone::pages
