@@ -207,6 +207,8 @@ std::vector<RegionClipper::ProperFacet> RegionClipper::proper_facets() {
     return facets.size() > d_ ? facets : std::vector<ProperFacet>{};
   }
   const std::vector<Index> number = exact_numbers();
+  // On a line each facet is a corner, and both may be in one place.
+  if (d_ == 1 && !all.empty() && number[all.front()] == number[all.back()]) return facets;
   for (std::size_t plane = 0; plane < planes_.size(); ++plane) {
     std::size_t size = 0;
     if (d_ == 3) {

@@ -3,7 +3,6 @@
 // not depend on the machine; times are left to the benchmark.
 #include <delone/forecast.hpp>
 
-#include "forecast/growth.hpp"
 #include "forecast/lattice_points.hpp"
 #include "forecast/memory_warning.hpp"
 #include "forecast/model/tiles_share.hpp"
@@ -229,34 +228,6 @@ TEST(Forecast, NumbersBeyondAllNumbersAreFinite) {
     }
     EXPECT_EQ(messages::readable_bytes(huge.bytes.expected), "more than 1000 EB");
   }
-}
-
-TEST(Forecast, SamplesOfEquallyManyDistinctPointsTellNoGrowth) {
-  const cost_model::SampleCost sample{20, 3, 70, 30, 150, 1e-3};
-  const std::vector<cost_model::SampleCost> samples{sample, sample};
-  EXPECT_TRUE(std::isfinite(cost_model::grown_cells(samples, 900).cells));
-  EXPECT_TRUE(std::isfinite(cost_model::grown_cost(samples, 3, 1000, 900, 5000).bytes));
-}
-
-/// Samples in k dimensions whose cells per point are those of points spread evenly, times a function.
-std::vector<cost_model::SampleCost> samples_of(int k, double (*factor)(double)) {
-  std::vector<cost_model::SampleCost> samples;
-  for (double v = 32; v <= 2048; v *= 2) {
-    const cost_model::Cost spread = cost_model::cost_of_spread(k, v);
-    samples.push_back({v, k, spread.cells * factor(v), spread.infinite_cells, spread.created_cells, 1e-3});
-  }
-  return samples;
-}
-
-TEST(Forecast, CellsBesideThoseOfPointsSpreadEvenlyGoOnAsSeen) {
-  constexpr double v = 1e6;
-  const double spread = cost_model::cost_of_spread(3, v).cells;
-  const auto grown = [&](double (*factor)(double)) {
-    return cost_model::grown_cells(samples_of(3, factor), v).cells / spread;
-  };
-  EXPECT_NEAR(grown([](double) { return 1.0; }), 1, 1e-9);
-  EXPECT_NEAR(grown([](double x) { return std::exp(3 / std::cbrt(x)); }), std::exp(0.03), 0.02);
-  EXPECT_NEAR(grown([](double x) { return std::sqrt(x); }), std::sqrt(v), 0.05 * std::sqrt(v));
 }
 
 TEST(Forecast, PatchesAreTheNearestPoints) {

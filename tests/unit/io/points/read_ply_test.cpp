@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Points from OFF and PLY files.
+// Points from PLY files.
 #include "../io_support.hpp"
 
 #include <limits>
@@ -12,39 +12,7 @@ using delone_test::expect_error;
 using Doubles = std::vector<double>;
 using Names = std::vector<std::string>;
 
-class ReadOff : public delone_test::TemporaryDirectory {};
 class ReadPly : public delone_test::TemporaryDirectory {};
-
-TEST_F(ReadOff, Vertices) {
-  const Doubles expected{0, 0, 0, 1, 0, 0.5};
-  for (const char* text :
-       {"OFF\n2 0 0\n0 0 0\n1 0 0.5\n", "# made by\r\nOFF 2 1 0\r\n\r\n0 0 0 # a\r\n1 0 .5\r\n2 0 1",
-        "OFF\n2 0\n0 0 0\n1 0 0.5", "COFF\n2 0 0\n0 0 0 255 0 0 1\n1 0 0.5 0 0 0 1\n",
-        "nOFF\n3\n2 0 0\n0 0 0\n1 0 0.5\n"})
-    EXPECT_EQ(read("a.off", text).coordinates, expected) << text;
-  EXPECT_EQ(read("a.off", "nOFF 5\n1 0 0\n1 2 3 4 5\n").dimension, 5);
-}
-
-TEST_F(ReadOff, Faults) {
-  expect_error(Errc::bad_format, {"a.off:1", "'OOF'"}, [&] { read("a.off", "OOF\n1 0 0\n0 0 0\n"); });
-  expect_error(Errc::unsupported, {"'STOFF'"}, [&] { read("a.off", "STOFF\n1 0 0\n0 0 0\n"); });
-  expect_error(Errc::unsupported, {"binary"}, [&] { read("a.off", "OFF BINARY\n"); });
-  expect_error(Errc::bad_format, {"expected 3 vertices", "after 2"},
-               [&] { read("a.off", "OFF\n3 0 0\n0 0 0\n1 1 1\n"); });
-  expect_error(Errc::bad_format, {"a.off:4: vertex 1: expected 3 coordinates, found 2"},
-               [&] { read("a.off", "OFF\n2 0 0\n0 0 0\n1 1\n"); });
-  expect_error(Errc::bad_format, {"a.off:3: vertex 0: more than 3", "'255 0 0'"},
-               [&] { read("a.off", "OFF\n1 0 0\n0 0 0 255 0 0\n"); });
-  expect_error(Errc::bad_format, {"a.off:3", "'x'"}, [&] { read("a.off", "OFF\n1 0 0\n0 x 0\n"); });
-  expect_error(Errc::bad_format, {"the number of vertices", "'-1'"}, [&] { read("a.off", "OFF\n-1 0 0\n"); });
-  expect_error(Errc::bad_dimension, {"dimension is 0"}, [&] { read("a.off", "nOFF\n0\n1 0 0\n\n"); });
-  expect_error(Errc::bad_format, {"18446744073709551615 vertices"},
-               [&] { read("a.off", "OFF\n18446744073709551615 0 0\n0 0 0\n"); });
-  EXPECT_EQ(expect_error(Errc::not_finite, {"a.off:4: column 2: 'inf'"},
-                         [&] { read("a.off", "OFF\n2 0 0\n0 0 0\n1 1 inf\n"); }),
-            (std::vector<std::size_t>{1}));
-  expect_error(Errc::bad_format, {"empty"}, [&] { read("a.off", ""); });
-}
 
 TEST_F(ReadPly, Ascii) {
   const auto t = read("a.ply",
@@ -145,6 +113,51 @@ TEST_F(ReadPly, Faults) {
                          [&] { read("a.ply", start + xyz + "1 2 3\n4 nan 6\n"); }),
             (std::vector<std::size_t>{1}));
   expect_error(Errc::bad_format, {"empty"}, [&] { read("a.ply", ""); });
+}
+
+TEST_F(ReadPly, HeadersAreChecked) {
+  const auto expect = [&](Errc code, const std::vector<std::string>& parts, const std::string& header) {
+    expect_error(code, parts, [&] { read("a.ply", "ply\nformat ascii 1.0\n" + header + "end_header\n"); });
+  };
+  expect(Errc::bad_format, {"a.ply:3: a property before any element"}, "property float x\n");
+  expect(Errc::bad_format, {"a.ply:4: a property without a name"}, "element vertex 0\nproperty float\n");
+  expect(Errc::bad_format, {"a.ply:3: 'vertices' does not belong in a PLY header"}, "vertices 3\n");
+  expect(Errc::unsupported, {"a.ply:3: PLY version '1.1' is not supported"}, "format ascii 1.1\n");
+  expect(Errc::bad_format, {"a.ply:3: '1.5' is not a count"}, "element vertex 1.5\n");
+  expect(Errc::bad_format, {"a.ply:4", "'real' is not a type"},
+         "element vertex 0\nproperty list uchar real x\n");
+}
+
+TEST_F(ReadPly, PropertiesAreChosenByTheirNames) {
+  const std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 2\nproperty float y\nproperty list uchar int x2\nproperty float "
+      "x\n"
+      "property float w\nend_header\n1 0 2 3\n4 1 9 5 6\n";
+  EXPECT_EQ(read("a.ply", text).coordinates, (Doubles{2, 1, 5, 4})) << "x and y, as there is no z";
+  ReadOptions with_values;
+  with_values.values = {"x"};
+  const PointTable table = read_points(file("a.ply", text), with_values);
+  EXPECT_EQ(table.coordinates, (Doubles{1, 4})) << "x is a value now";
+  EXPECT_EQ(table.values, (Doubles{2, 5}));
+  expect_error(Errc::bad_format, {"no property 'x2'; they have y, x, w"},
+               [&] { read("a.ply", text, {"x2"}); });
+}
+
+TEST_F(ReadPly, BinaryFaultsNameTheVertex) {
+  const auto ply = [](const std::string& elements, const std::string& data) {
+    return "ply\nformat binary_little_endian 1.0\n" + elements + "end_header\n" + data;
+  };
+  const std::string xy = "element vertex 2\nproperty double x\nproperty double y\n";
+  std::string data;
+  for (const double x : {1.0, 2.0, 3.0, std::numeric_limits<double>::infinity()}) data += bytes_of(x);
+  EXPECT_EQ(expect_error(Errc::not_finite, {"a.ply: vertex 1: y: inf is not finite"},
+                         [&] { read("a.ply", ply(xy, data)); }),
+            (std::vector<std::size_t>{1}));
+  expect_error(Errc::bad_format, {"expected 2 vertices, the file ends after 1"},
+               [&] { read("a.ply", ply(xy, data.substr(0, 16))); });
+  expect_error(Errc::bad_format, {"a.ply: a list of negative length"}, [&] {
+    read("a.ply", ply("element other 1\nproperty list char int l\n" + xy, "\xff" + data));
+  });
 }
 
 }  // namespace
