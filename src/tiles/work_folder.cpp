@@ -80,6 +80,19 @@ bool has_plan(const std::string& folder) {
   return fs::exists(fs::path(folder) / work_name / plan_name, error);
 }
 
+/// Numbers of a record, by their names in files.
+constexpr std::pair<const char*, std::int64_t TileRecord::*> counts_of_record[] = {
+    {"num_cells", &TileRecord::num_cells},
+    {"num_points", &TileRecord::num_points},
+    {"num_seams", &TileRecord::num_seams},
+    {"num_vertices", &TileRecord::num_vertices},
+    {"num_duplicates", &TileRecord::num_duplicates},
+    {"num_hidden", &TileRecord::num_hidden},
+    {"num_hull_facets", &TileRecord::num_hull_facets},
+    {"num_foreign", &TileRecord::num_foreign},
+    {"num_rounds", &TileRecord::num_rounds},
+};
+
 /// The record of a tile of the plan, if it is there and sound.
 std::optional<TileRecord> find_record(const std::string& work, std::size_t t) {
   const std::string path = path_in(work, record_name(t));
@@ -90,15 +103,7 @@ std::optional<TileRecord> find_record(const std::string& work, std::size_t t) {
     const JsonMembers members(json, io::input_name(path));
     TileRecord record;
     const auto count = [&](const char* member) { return members.number(member, 0, largest_count); };
-    record.num_cells = count("num_cells");
-    record.num_points = count("num_points");
-    record.num_seams = count("num_seams");
-    record.num_vertices = count("num_vertices");
-    record.num_duplicates = count("num_duplicates");
-    record.num_hidden = count("num_hidden");
-    record.num_hull_facets = count("num_hull_facets");
-    record.num_foreign = count("num_foreign");
-    record.num_rounds = count("num_rounds");
+    for (const auto& [name, member] : counts_of_record) record.*member = count(name);
     record.least_weight = members.real("least_weight");
     record.largest_weight = members.real("largest_weight");
     record.hash = complex::HashAccumulator::of_words(members.words<5>("hash"));
@@ -240,15 +245,7 @@ void WorkFolder::finish(std::size_t t, const FinishedTile& tile) {
   record.part = write_part(folder_, t, tile.data);
   record.seam_records = append_seam_records(work_, t, tile);
   nlohmann::ordered_json json;
-  json["num_cells"] = record.num_cells;
-  json["num_points"] = record.num_points;
-  json["num_seams"] = record.num_seams;
-  json["num_vertices"] = record.num_vertices;
-  json["num_duplicates"] = record.num_duplicates;
-  json["num_hidden"] = record.num_hidden;
-  json["num_hull_facets"] = record.num_hull_facets;
-  json["num_foreign"] = record.num_foreign;
-  json["num_rounds"] = record.num_rounds;
+  for (const auto& [name, member] : counts_of_record) json[name] = record.*member;
   json["least_weight"] = record.least_weight;
   json["largest_weight"] = record.largest_weight;
   json["hash"] = hex_text(record.hash.words());

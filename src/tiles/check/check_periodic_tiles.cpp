@@ -6,6 +6,7 @@
 #include "check/levels.hpp"
 #include "periodic/periodic_hash.hpp"
 #include "periodic/periodic_set.hpp"
+#include "tiles/check/check_rows.hpp"
 #include "tiles/making/periodic_part.hpp"
 #include "tiles/part_file.hpp"
 
@@ -55,17 +56,11 @@ class Whole {
     check_rows();
     std::int64_t outer = std::count(data.neighbors.begin(), data.neighbors.end(), -1);
     if (data.affine_dimension == 0) outer = index_.num_hull_facets;
-    expect("hull facets", outer, index_.num_hull_facets);
-    if (const CanonicalHash found = hash(data); found != index_.hash)
-      throw Violation{fmt::format("the hash is {}, but index.json says {}", found.hex(), index_.hash.hex())};
+    tiles::compare_with_index("hull facets", outer, index_.num_hull_facets);
+    tiles::compare_with_index(hash(data), index_);
   }
 
  private:
-  static void expect(const char* what, std::int64_t found, std::int64_t expected) {
-    if (found != expected)
-      throw Violation{fmt::format("there are {} {}, but index.json says {}", found, what, expected)};
-  }
-
   void number_vertices() {
     number_.assign(static_cast<std::size_t>(index_.num_points), -1);
     for (const TileData& part : parts_)
@@ -89,8 +84,9 @@ class Whole {
         const double weight = index_.weighted ? part.weights[i] : 0;
         if (is_known[number] && (!std::equal(from, from + static_cast<std::ptrdiff_t>(d), to) ||
                                  (index_.weighted && data.weights[number] != weight)))
-          throw Violation{
-              fmt::format("parts have different coordinates for point {}", part.rows[i]), {}, {number}};
+          throw Violation{fmt::format("parts have different coordinates for point {}", part.rows[i]),
+                          {},
+                          {static_cast<std::size_t>(part.rows[i])}};
         std::copy_n(from, d, to);
         if (index_.weighted) data.weights[number] = weight;
         is_known[number] = true;
@@ -120,30 +116,18 @@ class Whole {
     data.cell_offsets.insert(data.cell_offsets.end(), part.cell_offsets.begin(), part.cell_offsets.end());
   }
 
-  /// Every row is in one part, as a vertex, a duplicate of one, or hidden.
   void check_rows() const {
-    std::vector<std::int64_t> vertex_of(number_.size(), -2);
-    std::int64_t vertices = 0, duplicates = 0, hidden = 0;
-    for (const TileData& part : parts_)
-      for (std::size_t i = 0; i < part.own_rows.size(); ++i) {
-        const std::int64_t row = part.own_rows[i], vertex = part.vertex_of_row[i];
-        std::int64_t& of_row = vertex_of[static_cast<std::size_t>(row)];
-        if (of_row != -2) throw Violation{fmt::format("row {} is in two parts", row)};
-        of_row = vertex;
-        (vertex < 0 ? hidden : vertex == row ? vertices : duplicates) += 1;
-      }
-    for (std::size_t row = 0; row < vertex_of.size(); ++row) {
-      const std::int64_t vertex = vertex_of[row];
-      if (vertex == -2) throw Violation{fmt::format("row {} is in no part", row)};
-      if (vertex >= 0 && vertex_of[static_cast<std::size_t>(vertex)] != vertex)
-        throw Violation{fmt::format("row {} is at point {}, which is no vertex", row, vertex)};
-      if ((vertex == static_cast<std::int64_t>(row)) != (number_[row] >= 0))
-        throw Violation{fmt::format("point {} is {}", row,
-                                    number_[row] >= 0 ? "of a cell, but no vertex" : "a vertex of no part")};
+    RowRoles roles(0, index_.num_points);
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+      for (std::size_t j = 0; j < parts_[i].own_rows.size(); ++j)
+        roles.add(parts_[i].own_rows[j], parts_[i].vertex_of_row[j], i);
+    RoleCounts counts;
+    for (std::int64_t row = 0; row < index_.num_points; ++row) {
+      const std::int64_t vertex = roles.vertex_of(row, number_[static_cast<std::size_t>(row)] >= 0);
+      counts.add(row, vertex);
+      if (vertex >= 0 && vertex != row) roles.require_earlier_vertex(row, vertex);
     }
-    expect("vertices", vertices, index_.num_vertices);
-    expect("duplicates", duplicates, index_.num_duplicates);
-    expect("hidden points", hidden, index_.num_hidden);
+    counts.compare_with_index(index_);
   }
 
   CanonicalHash hash(const ComplexData& data) const {
@@ -186,11 +170,11 @@ CheckReport check_periodic_tiles(const std::string& folder, const TilesIndex& in
     try {
       const ComplexData data = whole.merge();
       report = internal::check_periodic(data, options);
+      for (std::size_t& point : report.points) point = whole.row(point);
       if (report.ok && options.up_to >= 6) whole.compare_with_index(data);
     } catch (Violation& violation) {
       report = violation_at(report.ok ? 6 : 2, std::move(violation));
     }
-    for (std::size_t& point : report.points) point = whole.row(point);
     return report;
   } catch (const Error& error) {
     if (error.code() != Errc::bad_format && error.code() != Errc::cannot_open) throw;

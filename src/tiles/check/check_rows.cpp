@@ -18,12 +18,67 @@ std::vector<std::size_t> rows_of(std::initializer_list<std::int64_t> rows) {
   return {rows.begin(), rows.end()};
 }
 
+constexpr std::int64_t in_no_part = -2;  // in place of a vertex
+
 std::int64_t rows_in_bucket(std::int64_t rows, std::uint64_t words, std::uint64_t memory) {
   const auto buckets = static_cast<std::int64_t>(RecordBuckets::count_for(words, memory));
   return std::max<std::int64_t>((rows + buckets - 1) / buckets, 1);
 }
 
 }  // namespace
+
+void compare_with_index(const char* what, std::int64_t found, std::int64_t expected) {
+  if (found != expected)
+    throw Violation{fmt::format("there are {} {}, but index.json says {}", found, what, expected)};
+}
+
+void compare_with_index(const CanonicalHash& found, const TilesIndex& index) {
+  if (found != index.hash)
+    throw Violation{fmt::format("the hash is {}, but index.json says {}", found.hex(), index.hash.hex())};
+}
+
+void RoleCounts::compare_with_index(const TilesIndex& index) const {
+  tiles::compare_with_index("vertices", vertices, index.num_vertices);
+  tiles::compare_with_index("duplicates", duplicates, index.num_duplicates);
+  tiles::compare_with_index("hidden points", hidden, index.num_hidden);
+}
+
+RowRoles::RowRoles(std::int64_t first, std::int64_t last)
+    : first_(first),
+      vertices_(static_cast<std::size_t>(last - first), in_no_part),
+      parts_(vertices_.size()) {}
+
+void RowRoles::add(std::int64_t row, std::int64_t vertex, std::size_t part) {
+  if (vertices_[at(row)] != in_no_part)
+    throw Violation{
+        fmt::format("point {} is in {} and in {}", row, part_name(parts_[at(row)]), part_name(part)),
+        {},
+        rows_of({row})};
+  vertices_[at(row)] = vertex;
+  parts_[at(row)] = part;
+}
+
+std::int64_t RowRoles::vertex_of(std::int64_t row, bool has_cell) const {
+  const std::int64_t vertex = vertices_[at(row)];
+  const auto refuse = [&](const char* what) {
+    throw Violation{fmt::format("point {} {}", row, what), {}, rows_of({row})};
+  };
+  if (vertex == in_no_part) refuse("is in no part");
+  if (vertex == row && !has_cell) refuse("is its own vertex, but no cell has it");
+  if (vertex != row && has_cell)
+    refuse(vertex < 0 ? "is a vertex of a cell, but hidden"
+                      : "is a vertex of a cell, but merged into another");
+  return vertex;
+}
+
+void RowRoles::require_earlier_vertex(std::int64_t row, std::int64_t vertex) const {
+  const bool is_vertex = vertices_[at(vertex)] == vertex;
+  if (is_vertex && vertex < row) return;
+  throw Violation{fmt::format("point {} was merged into point {}, which is {}", row, vertex,
+                              is_vertex ? "a later one" : "no vertex"),
+                  {},
+                  rows_of({row, vertex})};
+}
 
 RowChecker::RowChecker(const TilesIndex& index, const std::string& scratch, std::uint64_t words,
                        std::uint64_t memory, const double* input)
@@ -89,36 +144,26 @@ void RowChecker::add(const CheckedPart& part, Findings& findings) {
 }
 
 void RowChecker::match(Findings& findings) {
-  for (std::size_t bucket = 0; bucket < owned_.size() && findings.wanted(6); ++bucket) try {
-      match_bucket(bucket, findings);
-    } catch (Violation& violation) {
-      return findings.add(6, std::move(violation));
-    }
-  compare_with_index(findings);
+  if (!findings.wanted(6)) return;
+  try {
+    for (std::size_t bucket = 0; bucket < owned_.size(); ++bucket) match_bucket(bucket);
+    compare_with_index();
+  } catch (Violation& violation) {
+    findings.add(6, std::move(violation));
+  }
 }
 
-void RowChecker::match_bucket(std::size_t bucket, Findings&) {
-  constexpr std::int64_t unknown = -2;
+void RowChecker::match_bucket(std::size_t bucket) {
   const std::int64_t first = static_cast<std::int64_t>(bucket) * rows_per_bucket_,
                      last = std::min(first + rows_per_bucket_, index_.num_points);
-  const auto size = static_cast<std::size_t>(last - first);
-  std::vector<std::int64_t> vertex_of(size, unknown), owner(size, -1);
+  RowRoles roles(first, last);
   const std::vector<std::int64_t> owned = owned_.take(bucket);
-  for (std::size_t i = 0; i < owned.size(); i += 3) {
-    const auto at = static_cast<std::size_t>(owned[i] - first);
-    if (vertex_of[at] != unknown)
-      throw Violation{
-          fmt::format("point {} is in {} and in {}", owned[i], part_name(static_cast<std::size_t>(owner[at])),
-                      part_name(static_cast<std::size_t>(owned[i + 1]))),
-          {},
-          rows_of({owned[i]})};
-    owner[at] = owned[i + 1];
-    vertex_of[at] = owned[i + 2];
-  }
+  for (std::size_t i = 0; i < owned.size(); i += 3)
+    roles.add(owned[i], owned[i + 2], static_cast<std::size_t>(owned[i + 1]));
   internal::cancellation_point();
   const std::vector<std::int64_t> seen = seen_.take(bucket);
   const std::size_t record = 2 + row_size_, none = seen.size();
-  std::vector<std::size_t> place(size, none);  // of the first record of a row
+  std::vector<std::size_t> place(static_cast<std::size_t>(last - first), none);  // a row's first record
   std::vector<double> point(row_size_);
   const auto get_point = [&](std::size_t at) {
     for (std::size_t i = 0; i < row_size_; ++i) point[i] = std::bit_cast<double>(seen[at + 2 + i]);
@@ -140,67 +185,37 @@ void RowChecker::match_bucket(std::size_t bucket, Findings&) {
                       rows_of({seen[i]})};
     }
   }
-  for (std::size_t at = 0; at < size; ++at) {
+  for (std::int64_t row = first; row < last; ++row) {
     internal::cancellation_point();
-    const std::int64_t row = first + static_cast<std::int64_t>(at), vertex = vertex_of[at];
-    const auto refuse = [&](const char* what) {
-      throw Violation{fmt::format("point {} {}", row, what), {}, rows_of({row})};
-    };
-    if (vertex == unknown) refuse("is in no part");
-    const bool is_vertex = place[at] != none;
-    if (vertex == row && !is_vertex) refuse("is its own vertex, but no cell has it");
-    if (vertex != row && is_vertex)
-      refuse(vertex < 0 ? "is a vertex of a cell, but hidden"
-                        : "is a vertex of a cell, but merged into another");
-    if (vertex < 0) {
-      ++num_hidden_;
-    } else if (vertex != row) {
-      ++num_duplicates_;
-    } else {
-      get_point(place[at]);
-      if (input_ != nullptr && !std::equal(point.begin(), point.end(), input_of(row)))
-        refuse("has other coordinates in the input");
-      hash_.add_vertex(complex::point_tag(point.data(), index_.dimension));
-      if (index_.weighted) {
-        weighted_hash_.add_vertex(complex::point_tag(point.data(), index_.dimension + 1));
-        const double weight = point[row_size_ - 1];
-        least_weight_ = num_vertices_ == 0 ? weight : std::min(least_weight_, weight);
-        largest_weight_ = num_vertices_ == 0 ? weight : std::max(largest_weight_, weight);
-      }
-      ++num_vertices_;
-    }
+    const std::size_t at = place[static_cast<std::size_t>(row - first)];
+    const std::int64_t vertex = roles.vertex_of(row, at != none);
+    counts_.add(row, vertex);
+    if (vertex != row) continue;
+    get_point(at);
+    if (input_ != nullptr && !std::equal(point.begin(), point.end(), input_of(row)))
+      throw Violation{fmt::format("point {} has other coordinates in the input", row), {}, rows_of({row})};
+    hash_.add_vertex(complex::point_tag(point.data(), index_.dimension));
+    if (!index_.weighted) continue;
+    weighted_hash_.add_vertex(complex::point_tag(point.data(), index_.dimension + 1));
+    least_weight_ = std::min(least_weight_, point.back());
+    largest_weight_ = std::max(largest_weight_, point.back());
   }
   const std::vector<std::int64_t> merged = merged_.take(bucket);
   for (std::size_t i = 0; i < merged.size(); i += 2) {
-    const auto at = static_cast<std::size_t>(merged[i] - first);
-    if (vertex_of[at] != merged[i] || merged[i + 1] < merged[i])
-      throw Violation{fmt::format("point {} was merged into point {}, which is {}", merged[i + 1], merged[i],
-                                  vertex_of[at] != merged[i] ? "no vertex" : "a later one"),
+    const std::int64_t vertex = merged[i], row = merged[i + 1];
+    roles.require_earlier_vertex(row, vertex);
+    if (input_ != nullptr && !std::equal(input_of(vertex), input_of(vertex) + row_size_, input_of(row)))
+      throw Violation{fmt::format("point {} was merged into point {}, but they are not equal", row, vertex),
                       {},
-                      rows_of({merged[i + 1], merged[i]})};
-    if (input_ != nullptr &&
-        !std::equal(input_of(merged[i]), input_of(merged[i]) + row_size_, input_of(merged[i + 1])))
-      throw Violation{
-          fmt::format("point {} was merged into point {}, but they are not equal", merged[i + 1], merged[i]),
-          {},
-          rows_of({merged[i + 1], merged[i]})};
+                      rows_of({row, vertex})};
   }
 }
 
-void RowChecker::compare_with_index(Findings& findings) const {
-  if (!findings.wanted(6)) return;
-  const auto expect = [&](const char* what, std::int64_t found, std::int64_t expected) {
-    if (found != expected)
-      findings.add(6, {fmt::format("there are {} {}, but index.json says {}", found, what, expected)});
-  };
-  expect("vertices", num_vertices_, index_.num_vertices);
-  expect("duplicates", num_duplicates_, index_.num_duplicates);
-  expect("hidden points", num_hidden_, index_.num_hidden);
-  const bool weights_differ = index_.weighted && least_weight_ != largest_weight_;
-  const CanonicalHash hash =
-      (weights_differ ? weighted_hash_ : hash_).finish(index_.dimension, index_.affine_dimension);
-  if (hash != index_.hash)
-    findings.add(6, {fmt::format("the hash is {}, but index.json says {}", hash.hex(), index_.hash.hex())});
+void RowChecker::compare_with_index() const {
+  counts_.compare_with_index(index_);
+  const bool weights_differ = least_weight_ < largest_weight_;
+  tiles::compare_with_index(
+      (weights_differ ? weighted_hash_ : hash_).finish(index_.dimension, index_.affine_dimension), index_);
 }
 
 }  // namespace delone::tiles

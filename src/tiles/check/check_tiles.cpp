@@ -189,10 +189,8 @@ CheckReport check_tiles(const std::string& folder, const CheckOptions& options, 
       },
       [&](CheckReport&) {
         rows.match(findings);
-        if (findings.wanted(6) && seams.num_hull_facets() != index.num_hull_facets)
-          findings.add(6, {fmt::format("there are {} hull facets, but index.json says {}",
-                                       seams.num_hull_facets(), index.num_hull_facets)});
         findings.require(6);
+        compare_with_index("hull facets", seams.num_hull_facets(), index.num_hull_facets);
       });
 }
 
