@@ -160,6 +160,9 @@ TEST_F(PeriodicMpiTiles, HiddenPointsOfFinerCoordinates) {
   points.insert(points.end(), {0.3, 0.7});
   weights.push_back(-1);
   for (int turn = 0; turn < 2; ++turn) expect_as_in_one_piece(points, weights, cube(2));
+  // And one rank alone has the vertex of the finest bit.
+  points[0] = 0x1p-10;
+  for (int turn = 0; turn < 2; ++turn) expect_as_in_one_piece(points, weights, cube(2));
 }
 
 TEST_F(PeriodicMpiTiles, DuplicatesAndPointsOutside) {
