@@ -94,7 +94,7 @@ Json stats_of(const TilesIndex& index, const std::vector<RankEffort>& efforts) {
   return json;
 }
 
-/// Of all ranks, or none: they read the same file, if it is there.
+/// All ranks get the lattice, or all throw, as a file may be missing on some machines.
 void read_lattice(Arguments& arguments) {
   bool is_usage = false;
   try {

@@ -547,9 +547,8 @@ DELONE_C_API int delone_make_tiles(const char* input, const char* folder, const 
 DELONE_C_API int delone_make_tiles_of_points(const double* rows, size_t num_rows, int columns,
                                              const char* folder, const delone_options* options,
                                              delone_object** tiles);
-/* The same of a periodic set, whose lattice has `num_vectors` rows, of `dimension` numbers, or of `columns`
- * without that of the weight. Options: also unit. Errors also as for periodic sets, and UNSUPPORTED for vtu.
- */
+/* The same of a periodic set. The lattice has `num_vectors` rows, of `dimension` numbers, or of `columns`
+ * without that of the weight. Options: also unit. Errors: also as for periodic sets; UNSUPPORTED for vtu. */
 DELONE_C_API int delone_make_periodic_tiles(const char* input, const double* lattice, size_t num_vectors,
                                             int dimension, const char* folder, const delone_options* options,
                                             delone_object** tiles);
