@@ -160,6 +160,30 @@ int delone_make_tiles_of_points(const double* rows, std::size_t num_rows, int co
   });
 }
 
+int delone_make_periodic_tiles(const char* input, const double* lattice, std::size_t num_vectors,
+                               int dimension, const char* folder, const delone_options* options,
+                               delone_object** tiles) {
+  return make(tiles, [&] {
+    TilesOptions how = tiles_options(options);
+    how.lattice = lattice_of(lattice, num_vectors, dimension);
+    how.unit = given(options).periodic.unit;
+    return object_of(make_tiles(std::string(&required(input, "the path of the input")),
+                                &required(folder, "the folder"), how));
+  });
+}
+
+int delone_make_periodic_tiles_of_points(const double* rows, std::size_t num_rows, int columns,
+                                         const double* lattice, std::size_t num_vectors, const char* folder,
+                                         const delone_options* options, delone_object** tiles) {
+  return make(tiles, [&] {
+    TilesOptions how = tiles_options(options);
+    const PointsView points = view_of(rows, num_rows, columns, "rows");
+    how.lattice = lattice_of(lattice, num_vectors, columns - (how.weighted ? 1 : 0));
+    how.unit = given(options).periodic.unit;
+    return object_of(make_tiles(points, &required(folder, "the folder"), how));
+  });
+}
+
 int delone_read_tiles(const char* folder, delone_object** tiles) {
   return make(tiles, [&] { return object_of(read_tiles_index(&required(folder, "the folder"))); });
 }

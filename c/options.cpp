@@ -208,6 +208,11 @@ TilesOptions tiles_options(const delone_options* options) {
   return result;
 }
 
+Lattice lattice_of(const double* vectors, std::size_t num_vectors, int dimension) {
+  const PointsView rows = view_of(vectors, num_vectors, dimension, "lattice");
+  return {dimension, {rows.coordinates().begin(), rows.coordinates().end()}};
+}
+
 }  // namespace delone::c
 
 using namespace delone::c;

@@ -12,6 +12,7 @@
 #include <delone/tiles.hpp>
 #include <delone/voronoi.hpp>
 
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <vector>
@@ -43,5 +44,8 @@ Options without_tolerance(const delone_options* options);
 Execution execution(const delone_options* options);
 LocateOptions locate_options(const delone_options* options);
 TilesOptions tiles_options(const delone_options* options);
+
+/// Of a lattice of `num_vectors` rows of the caller.
+Lattice lattice_of(const double* vectors, std::size_t num_vectors, int dimension);
 
 }  // namespace delone::c

@@ -18,12 +18,6 @@ const PeriodicObject& as_periodic(const delone_object* object) {
   return as<const PeriodicObject>(object, "a periodic triangulation");
 }
 
-/// Of a lattice of `num_vectors` rows.
-Lattice lattice_of(const double* vectors, std::size_t num_vectors, int dimension) {
-  const PointsView rows = view_of(vectors, num_vectors, dimension, "lattice");
-  return {dimension, {rows.coordinates().begin(), rows.coordinates().end()}};
-}
-
 }  // namespace
 
 const Members& PeriodicObject::members() const {

@@ -109,8 +109,6 @@ void require_fitting(const PointTable& queries, const PointTable& points, const 
 /// --queries, --query-format and --query-columns.
 void add_queries(CLI::App& command, PointInput& queries, const std::string& description);
 
-/// The parts of a list with commas.
-std::vector<std::string> split_list(const std::string& list);
 /// What the file holds, if its format can hold anything but points. An OFF file without faces holds points.
 std::optional<AnyData> try_read(const std::string& path, std::string format, std::uint64_t max_stream_bytes);
 

@@ -156,7 +156,8 @@ Run add_delaunay(CLI::App& app) {
                         {},
                         options->build,
                         options->tiles,
-                        options->periodic.lattice_of_tiles()});
+                        options->periodic.of_tiles(),
+                        options->periodic.unit_or_0()});
     return run_delaunay(*options);
   };
 }

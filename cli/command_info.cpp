@@ -157,6 +157,7 @@ std::string describe(const TilesIndex& index) {
       .line("cells", index.num_cells)
       .line("hull facets", index.num_hull_facets);
   if (index.lattice.rank() > 0) description.line("lattice vectors", index.lattice.rank());
+  if (index.unit > 0) description.line("unit", fmt::format("{}", index.unit));
   description.line("vertices", index.num_vertices).line("duplicates", index.num_duplicates);
   if (index.weighted) description.line("hidden points", index.num_hidden);
   description.line("parts", index.parts.size());

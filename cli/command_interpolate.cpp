@@ -3,6 +3,7 @@
 #include "command.hpp"
 #include "interrupt.hpp"
 #include "memory_limit.hpp"
+#include "numbers.hpp"
 #include "report.hpp"
 
 #include <delone/natural_neighbors.hpp>

@@ -84,7 +84,7 @@ Run add_regular(CLI::App& app) {
   return [options, &app] {
     if (options->tiles.wanted(app, options->build.output))
       return run_tiles({"regular", options->weighted.input, options->weighted.column(), options->build,
-                        options->tiles, options->periodic.lattice_of_tiles()});
+                        options->tiles, options->periodic.of_tiles(), options->periodic.unit_or_0()});
     return run_regular(*options);
   };
 }

@@ -21,9 +21,9 @@ namespace delone::cli {
 namespace {
 
 constexpr std::array of_tiles{"--tiles", "--raw", "--vtu", "--no-resume"};
-constexpr std::array of_files{
-    "--output-format",     "--qhull", "--force", "--max-stream",   "--trim", "--furthest-site", "--seed",
-    "--runtime-dimension", "--order", "--time",  "--skip-missing", "--unit", "--exact"};
+constexpr std::array of_files{"--output-format", "--qhull",         "--force",        "--max-stream",
+                              "--trim",          "--furthest-site", "--seed",         "--runtime-dimension",
+                              "--order",         "--time",          "--skip-missing", "--exact"};
 
 bool is_given(const CLI::App& command, const char* option) {
   const CLI::Option* const found = command.get_option_no_throw(option);
@@ -104,6 +104,7 @@ TilesOptions options_of(const TilesCommand& command, ProgressBar& bar) {
   options.threads = command.build.threads;
   options.weighted = !command.weights.empty();
   options.lattice = command.lattice;
+  options.unit = command.unit;
   options.format = command.tiles.raw_columns > 0 ? "raw" : command.input.options.format;
   options.columns = command.tiles.raw_columns;
   options.coordinates = command.input.options.columns;

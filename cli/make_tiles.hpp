@@ -39,6 +39,7 @@ struct TilesCommand {
   const BuildOptions& build;
   const TilesInput& tiles;
   Lattice lattice;  ///< of a periodic set
+  double unit;      ///< the same; 0: none
 };
 
 /// Makes the folder, reports, and returns the exit status.

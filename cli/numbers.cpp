@@ -3,6 +3,7 @@
 
 #include <fast_float/fast_float.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -75,6 +76,16 @@ std::optional<double> parse_duration(std::string_view text) {
   const std::optional<double> number = parse_real(text.substr(0, end));
   if (!number || !(*number * seconds > 0) || !std::isfinite(*number * seconds)) return std::nullopt;
   return *number * seconds;
+}
+
+std::vector<std::string> split_list(const std::string& list) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::size_t end = std::min(list.find(',', begin), list.size());
+    parts.push_back(list.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
 }
 
 }  // namespace delone::cli

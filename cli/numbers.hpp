@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers as options have them: counts, as 1000 or 1e6, sizes, as 500MB or 1.5GiB, and real numbers.
+// Numbers as options have them: counts, as 1000 or 1e6, sizes, as 500MB or 1.5GiB, and real numbers. And
+// lists.
 #pragma once
 
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace delone::cli {
 
@@ -25,5 +28,8 @@ std::optional<double> parse_duration(std::string_view text);
 /// The whole of `text` as a number, correctly rounded. Nothing for other text, for infinities, and for
 /// magnitudes beyond binary64; small ones give a zero.
 std::optional<double> parse_real(std::string_view text);
+
+/// The parts of a list with commas.
+std::vector<std::string> split_list(const std::string& list);
 
 }  // namespace delone::cli

@@ -5,6 +5,7 @@
 #include "build_options.hpp"
 #include "command.hpp"
 #include "cost.hpp"
+#include "lattice_input.hpp"
 #include "report.hpp"
 
 #include <optional>
@@ -13,19 +14,10 @@
 
 namespace delone::cli {
 
-struct PeriodicInput {
-  std::string lattice;              ///< lengths, or a file of vectors; empty: not periodic
-  std::optional<std::string> axes;  ///< which of the vectors; none: all
-  std::optional<double> unit;
+struct PeriodicInput : LatticeInput {
   bool exact = false;
 
   void add_to(CLI::App& command);
-  bool is_wanted() const { return !lattice.empty(); }
-  /// Throws UsageError if the value is not a lattice of this dimension.
-  Lattice read(int dimension) const;
-  /// That of points in tiles, which are not read before: a length per axis, or a file of vectors, tells the
-  /// dimension. Without vectors if it is not wanted. Throws UsageError for a single length.
-  Lattice lattice_of_tiles() const;
   /// Throws UsageError for a bad unit.
   PeriodicOptions options() const;
 };

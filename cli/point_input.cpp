@@ -177,16 +177,6 @@ void require_fitting(const PointTable& queries, const PointTable& points, const 
                     input_name(from.path), listed(queries.column_names), listed(points.column_names)));
 }
 
-std::vector<std::string> split_list(const std::string& list) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = 0; begin <= list.size();) {
-    const std::size_t end = std::min(list.find(',', begin), list.size());
-    parts.push_back(list.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parts;
-}
-
 void add_force(CLI::App& command, bool& force) {
   command.add_flag("--force", force, "Write to a file even if it is also an input");
 }

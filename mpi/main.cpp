@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The command `delone-mpi`: every process runs it with the same arguments. Rank 0 alone prints.
+#include "../cli/command.hpp"
+#include "../cli/lattice_input.hpp"
 #include "../cli/numbers.hpp"
+#include "ranks.hpp"
 
 #include <delone/delone.hpp>
 #include <delone/mpi/tiles.hpp>
@@ -17,10 +20,7 @@
 namespace delone::mpi {
 namespace {
 
-/// As those of `delone`: docs/guide.md.
-namespace exit_status {
-constexpr int ok = 0, bad_input = 2, out_of_memory = 3, usage = 64;
-}
+namespace exit_status = cli::exit_status;
 
 int rank_of() {
   int rank = 0;
@@ -43,6 +43,7 @@ int complain(int status, std::string message) {
 struct Arguments {
   std::vector<std::string> inputs;
   std::string folder, memory, tiles;
+  cli::LatticeInput lattice;
   TilesOptions options;
   int raw = 0;
   bool no_resume = false, stats = false;
@@ -68,10 +69,11 @@ Json stats_of(const TilesIndex& index, const std::vector<RankEffort>& efforts) {
             {"duplicates", index.num_duplicates},
             {"hidden", index.num_hidden},
             {"cells", index.num_cells},
-            {"hull_facets", index.num_hull_facets},
-            {"hash", index.hash.hex()},
-            {"tiles", index.parts.size()},
-            {"ranks", Json::array()}};
+            {"hull_facets", index.num_hull_facets}};
+  if (index.lattice.rank() > 0) json["lattice_vectors"] = index.lattice.rank();
+  json["hash"] = index.hash.hex();
+  json["tiles"] = index.parts.size();
+  json["ranks"] = Json::array();
   for (const RankEffort& one : efforts)
     json["ranks"].push_back({{"tiles", one.num_tiles},
                              {"points", one.num_points},
@@ -90,6 +92,25 @@ Json stats_of(const TilesIndex& index, const std::vector<RankEffort>& efforts) {
                                {"writing", one.writing},
                                {"total", one.total}}}});
   return json;
+}
+
+/// All ranks get the lattice, or all throw, as a file may be missing on some machines.
+void read_lattice(Arguments& arguments) {
+  bool is_usage = false;
+  try {
+    Ranks(MPI_COMM_WORLD).together([&] {
+      try {
+        arguments.options.lattice = arguments.lattice.of_tiles();
+        arguments.options.unit = arguments.lattice.unit_or_0();
+      } catch (const cli::UsageError&) {
+        is_usage = true;
+        throw;
+      }
+    });
+  } catch (const Error& error) {
+    if (is_usage) throw cli::UsageError(error.what());
+    throw;
+  }
 }
 
 int run_delaunay(const Arguments& arguments) {
@@ -126,6 +147,7 @@ int run(int argc, char** argv) {
       ->required();
   delaunay.add_option("-o,--output", arguments.folder, "The folder to make")->required()->type_name("OUT/");
   delaunay.add_flag("--weighted", options.weighted, "The last column has weights: the regular triangulation");
+  arguments.lattice.add_to(delaunay);
   delaunay.add_option("--memory", arguments.memory, "The most memory of one rank, such as 2GiB")
       ->type_name("SIZE");
   delaunay.add_option("--tiles", arguments.tiles, "The number of tiles; if not given, one per rank or more")
@@ -175,6 +197,9 @@ int run(int argc, char** argv) {
       return complain(exit_status::usage, "--tiles: a number from 1 to 1000000 was expected");
     options.tiles = static_cast<std::size_t>(*number);
   }
+  if (options.vtu && arguments.lattice.is_wanted())
+    return complain(exit_status::usage, "--vtu does not go together with --lattice");
+  read_lattice(arguments);
   return run_delaunay(arguments);
 }
 
@@ -182,6 +207,8 @@ int run(int argc, char** argv) {
 int run_and_report(int argc, char** argv) {
   try {
     return run(argc, argv);
+  } catch (const cli::UsageError& error) {
+    return complain(exit_status::usage, error.what());
   } catch (const Error& error) {
     const bool is_too_large = error.code() == Errc::out_of_memory || error.code() == Errc::too_many;
     return complain(is_too_large ? exit_status::out_of_memory : exit_status::bad_input, error.what());

@@ -6,6 +6,7 @@
 #include "io/file.hpp"
 #include "owned_pages.hpp"
 #include "pages/page_tree.hpp"
+#include "periodic/extent.hpp"
 #include "ranks.hpp"
 #include "remote_pages.hpp"
 #include "seam_exchange.hpp"
@@ -13,6 +14,10 @@
 #include "split_tree_file.hpp"
 #include "tiles/folder_names.hpp"
 #include "tiles/index_file.hpp"
+#include "tiles/making/periodic_input.hpp"
+#include "tiles/making/periodic_part.hpp"
+#include "tiles/making/periodic_surroundings.hpp"
+#include "tiles/making/settle_hash.hpp"
 #include "tiles/part_file.hpp"
 #include "tiles/repair.hpp"
 #include "tiles/tile_plan.hpp"
@@ -26,6 +31,7 @@
 #include <delone/progress.hpp>
 
 #include <algorithm>
+#include <cstring>
 #include <exception>
 #include <functional>
 #include <memory>
@@ -52,14 +58,17 @@ class Run {
     internal::Stopwatch step;
     {
       const ProgressScope scope(part_of_progress(0, share_of_survey));
-      whole_ = survey_whole(share_, options_.weighted, ranks_);
+      whole_ = survey_whole(share_, options_, ranks_);
     }
     tiles::SplitTree tree = settle_tiles();
     if (auto index = open_folder(tree)) return std::move(*index);
     std::optional<OwnedPages> pages;
     {
       const ProgressScope scope(part_of_progress(share_of_survey, share_of_points));
-      pages.emplace(share_, whole_.first_row, whole_.result.survey, tree, ranks_, memory_);
+      tiles::PointStream& points =
+          whole_.placed_points ? static_cast<tiles::PointStream&>(*whole_.placed_points) : share_;
+      pages.emplace(points, share_, whole_.first_row, survey(), tree, ranks_, memory_);
+      settle_starting_points(*pages, tree);
     }
     effort_.reading = step.restart();
     make_parts(*pages);
@@ -75,6 +84,23 @@ class Run {
 
  private:
   const tiles::Survey& survey() const { return whole_.result.survey; }
+  const WholePeriod* period() const { return whole_.period.get(); }
+
+  /// What the folder is to become.
+  tiles::Plan plan(std::size_t num_tiles) const {
+    tiles::Plan plan;
+    plan.dimension = survey().dimension;
+    plan.affine_dimension = survey().affine_dimension;
+    plan.weighted = survey().weighted;
+    if (period()) {
+      plan.lattice = tiles::lattice_of(period()->set);
+      plan.unit = period()->set.unit;
+    }
+    plan.num_points = static_cast<std::int64_t>(survey().num_points);
+    plan.num_tiles = num_tiles;
+    plan.fingerprint = whole_.fingerprint;
+    return plan;
+  }
 
   /// The cut of an unfinished folder of the same points, or as few tiles as fit into memory, a multiple of
   /// the number of ranks.
@@ -82,11 +108,11 @@ class Run {
     std::optional<tiles::SplitTree> tree;
     ranks_.together([&] {
       if (ranks_.rank() != 0 || !options_.resume) return;
-      const auto plan = tiles::find_plan(folder_name_);
-      if (!plan || plan->fingerprint != whole_.fingerprint || plan->dimension != survey().dimension ||
-          (options_.tiles > 0 && options_.tiles != plan->num_tiles))
+      const auto found = tiles::find_plan(folder_name_);
+      if (!found || *found != plan(found->num_tiles) ||
+          (options_.tiles > 0 && options_.tiles != found->num_tiles))
         return;
-      tree = read_split_tree(tiles::path_in(folder_name_, "work"), plan->dimension, plan->num_tiles);
+      tree = read_split_tree(tiles::path_in(folder_name_, "work"), found->dimension, found->num_tiles);
     });
     const bool is_found = ranks_.max(std::int64_t{tree ? 1 : 0}) == 1;
     TilesOptions options = options_;
@@ -145,13 +171,7 @@ class Run {
 
   /// Rank 0 makes the folder, or finds it finished: then the index.
   std::optional<TilesIndex> open_folder(const tiles::SplitTree& tree) {
-    tiles::Plan plan;
-    plan.dimension = survey().dimension;
-    plan.affine_dimension = survey().affine_dimension;
-    plan.weighted = survey().weighted;
-    plan.num_points = static_cast<std::int64_t>(survey().num_points);
-    plan.num_tiles = forecast_.num_tiles;
-    plan.fingerprint = whole_.fingerprint;
+    const tiles::Plan plan = this->plan(forecast_.num_tiles);
     std::optional<TilesIndex> index;
     const auto open = [&](bool resume) { folder_.emplace(folder_name_, plan, resume, ranks_.rank() == 0); };
     ranks_.together([&] {
@@ -193,10 +213,29 @@ class Run {
                fmt::join(tiles::texts_of(damaged), "; "));
   }
 
+  /// The points that every tile begins with get their rows.
+  void settle_starting_points(const OwnedPages& pages, const tiles::SplitTree& tree) {
+    tiles::Survey& survey = whole_.result.survey;
+    pages.settle(survey.landmarks, survey.landmark_rows, tree, ranks_);
+    if (!period()) return;
+    std::vector<periodic::Extent::Extreme*> frame;
+    for (periodic::Extent::Extreme& one : whole_.period->extent.frame_points())
+      if (one.row >= 0) frame.push_back(&one);
+    std::vector<double> points;
+    std::vector<std::int64_t> rows;
+    for (const auto* one : frame) points.insert(points.end(), one->point.begin(), one->point.end());
+    pages.settle(points, rows, tree, ranks_);
+    const std::size_t width = period()->set.row_size();
+    for (std::size_t i = 0; i < frame.size(); ++i) {
+      const auto first = points.begin() + static_cast<std::ptrdiff_t>(i * width);
+      *frame[i] = {rows[i], {first, first + static_cast<std::ptrdiff_t>(width)}};
+    }
+  }
+
   /// Each rank makes its tiles one after the other; in a wave all ranks have one tile, or none.
   void make_parts(const OwnedPages& pages) {
     const pages::PageTree tree(pages.table());
-    RemotePages source(pages);
+    RemotePages source(pages, period() ? &period()->set.period : nullptr);
     const auto rank = static_cast<std::size_t>(ranks_.rank());
     std::vector<std::size_t> own;
     for (std::size_t t = pages.owners().first_tile(rank); t < pages.owners().first_tile(rank + 1); ++t) {
@@ -244,7 +283,11 @@ class Run {
     for (bool has_more = number.has_value();;) {
       std::exception_ptr failure;
       try {
-        if (has_more && !tile) tile.emplace(survey(), tree, source, *number, pages.points(*number), how);
+        if (has_more && !tile)
+          tile.emplace(survey(), tree, source, *number, pages.points(*number), how,
+                       period() ? tiles::periodic_surroundings(period()->set, period()->extent, survey(),
+                                                               tree, source, *number)
+                                : nullptr);
         if (has_more) has_more = tile->advance();
       } catch (...) {
         failure = std::current_exception();
@@ -266,17 +309,31 @@ class Run {
       effort_.num_foreign += static_cast<std::int64_t>(tile->num_foreign());
       effort_.inserting += tile->effort().insert_seconds;
       effort_.asking += tile->effort().ask_seconds;
-      const tiles::FinishedTile finished = tile->finish();
+      tiles::FinishedTile finished = tile->finish();
       tile.reset();
+      if (period()) tiles::finish_periodic_part(period()->set, period()->finest_bit, finished);
       folder_->finish(*number, finished);
       effort_.writing += step.restart();
     });
+  }
+
+  /// Of the own tiles. Collective.
+  void settle_hash(std::size_t first, std::size_t last) {
+    const periodic::PeriodicSet& set = period()->set;
+    int finest = period()->finest_bit;
+    const bool has_hidden = tiles::has_hidden_points(*folder_, first, last);
+    if (ranks_.max(std::int64_t{has_hidden ? 1 : 0}) == 1) {
+      ranks_.together([&] { finest = tiles::finest_bit_of_vertices(set, *folder_, first, last); });
+      finest = static_cast<int>(ranks_.min(finest));
+    }
+    ranks_.together([&] { tiles::settle_hashes(set, period()->finest_bit, finest, *folder_, first, last); });
   }
 
   /// All ranks know all records; seams; rank 0 writes the index.
   TilesIndex finish(const TileOwners& owners) {
     const ProgressScope scope(part_of_progress(1 - share_of_seams, 1));
     const auto rank = static_cast<std::size_t>(ranks_.rank());
+    if (period()) settle_hash(owners.first_tile(rank), owners.first_tile(rank + 1));
     std::vector<tiles::TileRecord> records;
     for (std::size_t t = owners.first_tile(rank); t < owners.first_tile(rank + 1); ++t)
       records.push_back(folder_->finished(t).value());
@@ -319,16 +376,31 @@ class Run {
   double done_ = 0;
 };
 
+/// Ranks with different lattices would wait for each other, or make parts that do not fit.
+void require_equal_lattice(const TilesOptions& options, const Ranks& ranks) {
+  std::vector<double> mine(options.lattice.vectors);
+  mine.push_back(options.lattice.dimension);
+  mine.push_back(options.unit);
+  std::vector<double> first = mine;
+  ranks.broadcast(first);
+  ranks.together([&] {
+    if (first.size() != mine.size() ||
+        std::memcmp(first.data(), mine.data(), mine.size() * sizeof(double)) != 0)
+      throw Error(Errc::invalid_argument, "the lattice, or its unit, is not that of rank 0");
+  });
+}
+
 template <class MakeShare>
 TilesIndex make(MPI_Comm comm, const std::string& folder, const TilesOptions& options, RankEffort* effort,
                 const MakeShare& make_share) {
   Ranks ranks(comm);
   return ranks.guarded([&] {
+    require_equal_lattice(options, ranks);
     std::optional<Share> share;
     ranks.together([&] {
       tiles::require_name(folder);
-      if (options.lattice.rank() > 0)
-        throw Error(Errc::unsupported, "lattice: the processes of MPI do not make tiles of periodic sets");
+      if (options.vtu && options.lattice.rank() > 0)
+        throw Error(Errc::unsupported, "vtu is for tiles of sets that are not periodic");
       make_share(ranks, share);
       if (ranks.rank() != 0) return;
       if (options.vtu) tiles::require_vtu(folder, share->dimension() - (options.weighted ? 1 : 0));

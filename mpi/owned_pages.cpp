@@ -17,8 +17,8 @@ using tiles::Duplicate;
 using tiles::SplitTree;
 using tiles::Survey;
 
-OwnedPages::OwnedPages(Share& share, std::int64_t first_row, Survey& survey, const SplitTree& tree,
-                       Ranks& ranks, std::uint64_t memory)
+OwnedPages::OwnedPages(tiles::PointStream& points, const Share& share, std::int64_t first_row,
+                       const Survey& survey, const SplitTree& tree, Ranks& ranks, std::uint64_t memory)
     : owners_{static_cast<std::size_t>(tree.num_tiles), static_cast<std::size_t>(ranks.size())} {
   const auto rank = static_cast<std::size_t>(ranks.rank());
   first_tile_ = owners_.first_tile(rank);
@@ -26,7 +26,7 @@ OwnedPages::OwnedPages(Share& share, std::int64_t first_row, Survey& survey, con
   records_.resize(last_tile_ - first_tile_);
   table_.dimension = survey.dimension;
   table_.weighted = survey.weighted;
-  receive(share, first_row, tree, ranks, memory);
+  receive(points, share, first_row, tree, ranks, memory);
 
   PageTable own;
   own.dimension = survey.dimension;
@@ -47,13 +47,12 @@ OwnedPages::OwnedPages(Share& share, std::int64_t first_row, Survey& survey, con
     io::fail(Errc::bad_format, "the input has changed: it had {} points, and now it has {}",
              survey.num_points, found);
   });
-  settle_landmarks(survey, tree, ranks);
   make_table(own, tree, ranks);
 }
 
 /// In rounds: every rank reads some rows and deals them out.
-void OwnedPages::receive(Share& share, std::int64_t first_row, const SplitTree& tree, Ranks& ranks,
-                         std::uint64_t memory) {
+void OwnedPages::receive(tiles::PointStream& points, const Share& share, std::int64_t first_row,
+                         const SplitTree& tree, Ranks& ranks, std::uint64_t memory) {
   const auto p = static_cast<std::size_t>(ranks.size());
   const std::size_t width = table_.row_size();
   const std::uint64_t round_bytes =
@@ -62,14 +61,14 @@ void OwnedPages::receive(Share& share, std::int64_t first_row, const SplitTree& 
   std::vector<double> rows;
   bool is_done = share.dimension() == 0;
   ranks.together([&] {
-    if (!is_done) share.rewind();
+    if (!is_done) points.rewind();
   });
   for (;;) {
     ranks.together([&] {
       for (std::vector<double>& some : to_each) some.clear();
       for (std::uint64_t bytes = 0; !is_done && bytes < round_bytes;) {
         internal::cancellation_point();
-        if (!share.next(rows)) {
+        if (!points.next(rows)) {
           is_done = true;
           break;
         }
@@ -92,28 +91,29 @@ void OwnedPages::receive(Share& share, std::int64_t first_row, const SplitTree& 
   }
 }
 
-/// The rank of its tile has all points at the position of a landmark.
-void OwnedPages::settle_landmarks(Survey& survey, const SplitTree& tree, const Ranks& ranks) const {
-  const std::size_t width = table_.row_size(), d = static_cast<std::size_t>(survey.dimension),
-                    count = survey.landmark_rows.size();
+/// The rank of its tile has all points at a position.
+void OwnedPages::settle(std::vector<double>& points, std::vector<std::int64_t>& rows, const SplitTree& tree,
+                        const Ranks& ranks) const {
+  const std::size_t width = table_.row_size(), d = static_cast<std::size_t>(table_.dimension),
+                    count = points.size() / width;
   std::vector<double> weights(count, -std::numeric_limits<double>::infinity());
   std::vector<std::int64_t> all_rows(count, -1);
   for (std::size_t l = 0; l < count; ++l) {
-    const double* const landmark = survey.landmarks.data() + l * width;
-    const std::size_t tile = tree.tile_of(landmark);
+    const double* const point = points.data() + l * width;
+    const std::size_t tile = tree.tile_of(point);
     if (tile < first_tile_ || tile >= last_tile_) continue;
     const std::vector<double>& records = records_[tile - first_tile_];
     for (std::size_t i = 0; i < records.size(); i += width + 1) {
       const double* const record = records.data() + i;
-      if (record[0] != landmark[0] || !std::equal(landmark, landmark + d, record)) continue;
-      if (survey.weighted && all_rows[l] >= 0 && record[d] <= weights[l]) continue;
-      if (survey.weighted) weights[l] = record[d];
+      if (record[0] != point[0] || !std::equal(point, point + d, record)) continue;
+      if (table_.weighted && all_rows[l] >= 0 && record[d] <= weights[l]) continue;
+      if (table_.weighted) weights[l] = record[d];
       all_rows[l] = pages::row_of(record[width]);
     }
   }
-  survey.landmark_rows = ranks.max(std::move(all_rows));
-  if (!survey.weighted) return;
-  for (std::size_t l = 0; l < count; ++l) survey.landmarks[l * width + d] = ranks.max_real(weights[l]);
+  rows = ranks.max(std::move(all_rows));
+  if (!table_.weighted) return;
+  for (std::size_t l = 0; l < count; ++l) points[l * width + d] = ranks.max_real(weights[l]);
 }
 
 void OwnedPages::make_table(const PageTable& own, const SplitTree& tree, const Ranks& ranks) {

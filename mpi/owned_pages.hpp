@@ -27,10 +27,15 @@ struct TileOwners {
 
 class OwnedPages {
  public:
-  /// Sends all points to the ranks of their tiles, which put them into pages. Collective. The landmarks of
-  /// the survey get their first rows, and of equal positions the largest weight. `memory`: of one rank.
-  OwnedPages(Share& share, std::int64_t first_row, tiles::Survey& survey, const tiles::SplitTree& tree,
-             Ranks& ranks, std::uint64_t memory);
+  /// Sends all points to the ranks of their tiles, which put them into pages. Collective. `points`: those of
+  /// the share, or in a periodic set the same in the box. `memory`: of one rank.
+  OwnedPages(tiles::PointStream& points, const Share& share, std::int64_t first_row,
+             const tiles::Survey& survey, const tiles::SplitTree& tree, Ranks& ranks, std::uint64_t memory);
+
+  /// Points of the input, the same at all ranks, get the first of their rows, and of equal positions the
+  /// largest weight. Collective.
+  void settle(std::vector<double>& points, std::vector<std::int64_t>& rows, const tiles::SplitTree& tree,
+              const Ranks& ranks) const;
 
   const TileOwners& owners() const { return owners_; }
   /// Of all ranks.
@@ -44,9 +49,8 @@ class OwnedPages {
   tiles::TilePoints points(std::size_t tile) const;
 
  private:
-  void receive(Share& share, std::int64_t first_row, const tiles::SplitTree& tree, Ranks& ranks,
-               std::uint64_t memory);
-  void settle_landmarks(tiles::Survey& survey, const tiles::SplitTree& tree, const Ranks& ranks) const;
+  void receive(tiles::PointStream& points, const Share& share, std::int64_t first_row,
+               const tiles::SplitTree& tree, Ranks& ranks, std::uint64_t memory);
   void make_table(const pages::PageTable& own, const tiles::SplitTree& tree, const Ranks& ranks);
   std::size_t record_size() const { return table_.row_size() + 1; }
 

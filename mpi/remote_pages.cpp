@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "remote_pages.hpp"
 
+#include "periodic/images.hpp"
+
 #include <algorithm>
 #include <limits>
 #include <span>
@@ -32,16 +34,32 @@ void RemotePages::want_near(std::size_t tile) {
   // Near is what is not farther than a part of the side of the page: foreign points that a tile inserts are
   // in a layer of a few points.
   constexpr double part = 0.5;
-  for (std::size_t page = 0; page < table.num_pages(); ++page) {
-    if (own_.has(page)) continue;
-    double distance = 0, side = 0;
-    for (std::size_t j = 0; j < d; ++j) {
-      const double a = table.low(page)[j], b = table.high(page)[j];
-      distance = std::max({distance, a - high[j], low[j] - b});
-      side = std::max(side, b - a);
+  for (const std::vector<double>& by : nearest_translations())
+    for (std::size_t page = 0; page < table.num_pages(); ++page) {
+      if (own_.has(page)) continue;
+      double distance = 0, side = 0;
+      for (std::size_t j = 0; j < d; ++j) {
+        const double a = table.low(page)[j] + by[j], b = table.high(page)[j] + by[j];
+        distance = std::max({distance, a - high[j], low[j] - b});
+        side = std::max(side, b - a);
+      }
+      if (distance <= part * side) wanted_.push_back(page);
     }
-    if (distance <= part * side) wanted_.push_back(page);
-  }
+}
+
+/// None, and in a periodic set those to the boxes around, of which there are not too many.
+std::vector<std::vector<double>> RemotePages::nearest_translations() const {
+  constexpr std::size_t most_rank = 4;
+  std::vector<std::vector<double>> translations;
+  const std::vector<double> none(static_cast<std::size_t>(own_.table().dimension), 0.0);
+  if (period_ == nullptr || period_->rank() > most_rank) return {none};
+  const std::vector<std::int32_t> low(period_->rank(), -1), high(period_->rank(), 1);
+  std::vector<std::int32_t> k = low;
+  do {
+    translations.push_back(none);
+    period_->translate(k, translations.back().data());
+  } while (periodic::next_in_range(k, low, high));
+  return translations;
 }
 
 std::size_t RemotePages::exchange(Ranks& ranks) {

@@ -380,10 +380,10 @@ DELONE_C_API int delone_remove(delone_object* triangulation, const int64_t* rows
 DELONE_C_API int delone_move(delone_object* triangulation, const int64_t* rows, size_t num_rows,
                              const double* to, const double* weights);
 
-/* A time step of a periodic triangulation: a new one of as many points, where those of each row have moved to,
- * with the options of the first. `weights`: of "periodic_regular", or NULL for the same. `lattice`: as many
- * vectors as before, or NULL for the same. If most points have moved little it takes about half the time of a
- * construction. `before` stays as it is. Errors: as for the construction. */
+/* A time step of a periodic triangulation: a new one of as many points, where those of each row have moved
+ * to, with the options of the first. `weights`: of "periodic_regular", or NULL for the same. `lattice`: as
+ * many vectors as before, or NULL for the same. If most points have moved little it takes about half the time
+ * of a construction. `before` stays as it is. Errors: as for the construction. */
 DELONE_C_API int delone_periodic_moved(const delone_object* before, const double* points, size_t num_points,
                                        const double* weights, const double* lattice, delone_object** object);
 
@@ -547,6 +547,15 @@ DELONE_C_API int delone_make_tiles(const char* input, const char* folder, const 
 DELONE_C_API int delone_make_tiles_of_points(const double* rows, size_t num_rows, int columns,
                                              const char* folder, const delone_options* options,
                                              delone_object** tiles);
+/* The same of a periodic set. The lattice has `num_vectors` rows, of `dimension` numbers, or of `columns`
+ * without that of the weight. Options: also unit. Errors: also as for periodic sets; UNSUPPORTED for vtu. */
+DELONE_C_API int delone_make_periodic_tiles(const char* input, const double* lattice, size_t num_vectors,
+                                            int dimension, const char* folder, const delone_options* options,
+                                            delone_object** tiles);
+DELONE_C_API int delone_make_periodic_tiles_of_points(const double* rows, size_t num_rows, int columns,
+                                                      const double* lattice, size_t num_vectors,
+                                                      const char* folder, const delone_options* options,
+                                                      delone_object** tiles);
 /* The index of a finished folder, and its part number i. Errors: CANNOT_OPEN, BAD_FORMAT. */
 DELONE_C_API int delone_read_tiles(const char* folder, delone_object** tiles);
 DELONE_C_API int delone_read_tile(const char* folder, size_t i, delone_object** tile);

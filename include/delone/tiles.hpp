@@ -40,6 +40,7 @@ struct TilesOptions {
   bool weighted = false;
   /// The lattice of a periodic set, as of PeriodicDelaunay; without vectors: an open set.
   Lattice lattice;
+  double unit = 0;  ///< of a periodic set, as PeriodicOptions::unit
   /// The format of the input: as ReadOptions::format, or raw: little-endian doubles, `columns` of them in a
   /// row; empty: by extension.
   std::string format;
@@ -78,6 +79,7 @@ struct TilesIndex {
   int dimension = 0, affine_dimension = -1;
   bool weighted = false;
   Lattice lattice;  ///< of a periodic set, on its grid
+  double unit = 0;  ///< of a periodic set, as PeriodicOptions::unit
   std::int64_t num_points = 0, num_vertices = 0, num_duplicates = 0, num_hidden = 0, num_cells = 0;
   std::int64_t num_hull_facets = 0;
   CanonicalHash hash;  ///< that of the whole triangulation, as Triangulation or PeriodicTriangulation::hash()

@@ -16,7 +16,7 @@ try:
     from . import _mpi
 except ImportError as missing:
     raise ImportError("this build of delone has no delone.mpi: build it with MPI (DELONE_BUILD_MPI)") from missing
-from .tiles import Tiles, _bytes_of, _positive, _rows_of
+from .tiles import Tiles, _bytes_of, _lattice_of, _positive, _rows_of
 
 __all__ = ["Effort", "make_tiles"]
 
@@ -79,8 +79,8 @@ class Effort(NamedTuple):
     total: float
 
 
-def make_tiles(points, folder, comm=None, *, weights=None, weighted=False, format=None, raw=None, memory=None, tiles=None, threads=1,
-               resume=True) -> Tuple[Tiles, Effort]:
+def make_tiles(points, folder, comm=None, *, weights=None, weighted=False, lattice=None, axes=None, unit=None, format=None, raw=None,
+               memory=None, tiles=None, threads=1, resume=True) -> Tuple[Tiles, Effort]:
     """Triangulate points in tiles by all ranks of a communicator.
 
     As `delone.tiles.make_tiles`: each rank calls it with the same arguments, but its own rows. The triangulation, its hash and
@@ -99,6 +99,12 @@ def make_tiles(points, folder, comm=None, *, weights=None, weighted=False, forma
         The weights of an array.
     weighted : bool, default False
         Whether the last column of files holds weights.
+    lattice : float, (d,) or (r, d) array_like, or ase.cell.Cell, optional
+        The lattice of a periodic set, as for `delone.tiles.make_tiles`.
+    axes : sequence of int or of bool, optional
+        The lattice vectors in whose directions it is periodic, as for `delone.tiles.make_tiles`.
+    unit : float, optional
+        Coordinates of a periodic set are multiples of this number, as for `delone.PeriodicDelaunay`.
     format : str, optional
         The format of files, as for `delone.tiles.make_tiles`.
     raw : int, optional
@@ -133,14 +139,17 @@ def make_tiles(points, folder, comm=None, *, weights=None, weighted=False, forma
         if weights is not None:
             raise ValueError("weights: of files they are the last column; say weighted=True")
         given = [os.fsencode(each) for each in points]
+        dimension = None
     else:
         if format is not None or raw is not None or weighted:
             raise ValueError("format, raw and weighted are for files")
         given, weighted = _rows_of(points, weights), weights is not None
+        dimension = given.shape[1] - weighted
     if raw is not None and format is not None:
         raise ValueError("raw: a format of its own; leave format out")
+    rows, unit = _lattice_of(lattice, axes, unit, dimension)
     found = _mpi.make_tiles(given, os.fsencode(folder), MPI._addressof(comm), memory=_bytes_of(memory),
                             tiles=0 if tiles is None else _positive(tiles, "tiles"), threads=threads, weighted=bool(weighted),
                             format="raw" if raw is not None else format or "", columns=0 if raw is None else _positive(raw, "raw"),
-                            resume=bool(resume))
+                            lattice=rows.ravel().tolist(), dimension=rows.shape[1], unit=unit, resume=bool(resume))
     return Tiles(folder), Effort(**found)

@@ -256,6 +256,11 @@ class Tiles:
         return np.array(numbers).reshape(-1, self.dimension) if numbers else None
 
     @property
+    def unit(self) -> Optional[float]:
+        """The number that coordinates of a periodic set are multiples of; None for others, and without one."""
+        return self._index["unit"] or None
+
+    @property
     def num_points(self) -> int:
         """The number of input rows."""
         return self._index["num_points"]
@@ -370,7 +375,7 @@ class Tiles:
                 f"{len(self)} parts>")
 
 
-def make_tiles(points, folder, *, weights=None, lattice=None, axes=None, columns=None, format=None, raw=None, memory=None, tiles=None, threads=0, resume=True,
+def make_tiles(points, folder, *, weights=None, lattice=None, axes=None, unit=None, columns=None, format=None, raw=None, memory=None, tiles=None, threads=0, resume=True,
                vtu=False, forecast=None, damage=None, progress=None) -> Tiles:
     """Triangulate the points of a file or an array in tiles.
 
@@ -388,6 +393,8 @@ def make_tiles(points, folder, *, weights=None, lattice=None, axes=None, columns
         As for `delone.PeriodicDelaunay`: the set is periodic. For a file, a single length is not enough, as it does not tell the dimension.
     axes : sequence of int or of bool, optional
         The lattice vectors in whose directions it is periodic, as for `delone.PeriodicDelaunay`.
+    unit : float, optional
+        Coordinates of a periodic set are multiples of this number, as for `delone.PeriodicDelaunay`.
     columns : sequence of str or int, optional
         The columns of a file with the coordinates, by name or number. By default all others.
     format : str, optional
@@ -451,8 +458,6 @@ def make_tiles(points, folder, *, weights=None, lattice=None, axes=None, columns
     >>> tiles.hash == delone.PeriodicDelaunay(points, 1.0).hash
     True
     """
-    if axes is not None and lattice is None:
-        raise ValueError("axes: give a lattice, too")
     if forecast is not None and not callable(forecast):
         raise TypeError("forecast: a function of a Forecast, or None")
     if damage is not None and not callable(damage):
@@ -460,8 +465,7 @@ def make_tiles(points, folder, *, weights=None, lattice=None, axes=None, columns
     tell = None if forecast is None else lambda found: forecast(Forecast(*found))
     how = dict(memory=_bytes_of(memory), tiles=0 if tiles is None else _positive(tiles, "tiles"), threads=threads, resume=bool(resume),
                vtu=bool(vtu), forecast=tell, damage=damage or _warn_of_damage, progress=progress, format=format or "", columns=0 if raw is None else _positive(raw, "raw"),
-               coordinates=[] if columns is None else [str(each) for each in columns], weights="", weighted=weights is not None,
-               lattice=[], dimension=0)
+               coordinates=[] if columns is None else [str(each) for each in columns], weights="", weighted=weights is not None)
     if isinstance(points, (str, bytes, os.PathLike)):
         if raw is not None:
             if format is not None:
@@ -478,19 +482,30 @@ def make_tiles(points, folder, *, weights=None, lattice=None, axes=None, columns
             raise ValueError("columns, format and raw are for files")
         given = _rows_of(points, weights)
         dimension = given.shape[1] - (weights is not None)
-    if lattice is not None:
-        rows = _lattice.vectors(lattice, axes, _dimension_of(lattice) if dimension is None else dimension)
-        how.update(lattice=rows.ravel().tolist(), dimension=rows.shape[1])
+    rows, unit = _lattice_of(lattice, axes, unit, dimension)
+    how.update(lattice=rows.ravel().tolist(), dimension=rows.shape[1], unit=unit)
     _core._make_tiles(given, os.fsencode(folder), **how)
     return Tiles(folder)
 
 
-def _dimension_of(lattice) -> int:
-    """The dimension of a lattice by itself."""
-    shape = np.shape(getattr(lattice, "cell", lattice))
-    if not shape:
-        raise ValueError("lattice: for a file give a length per axis, or vectors")
-    return shape[-1]
+def _lattice_of(lattice, axes, unit, dimension: Optional[int]) -> Tuple[np.ndarray, float]:
+    """The lattice vectors of points of a dimension, or of a file if it is None, and the unit; 0 for none.
+
+    Without a lattice there are no vectors, of dimension 0.
+    """
+    if lattice is None:
+        for name, value in (("axes", axes), ("unit", unit)):
+            if value is not None:
+                raise ValueError(f"{name}: give a lattice, too")
+        return np.empty((0, 0)), 0.0
+    if unit is not None and not 0 < float(unit) < float("inf"):
+        raise ValueError("unit: a finite number above 0, or None")
+    if dimension is None:
+        shape = np.shape(getattr(lattice, "cell", lattice))
+        if not shape:
+            raise ValueError("lattice: for a file give a length per axis, or vectors")
+        dimension = shape[-1]
+    return _lattice.vectors(lattice, axes, dimension), 0.0 if unit is None else float(unit)
 
 
 def _warn_of_damage(files: Tuple[str, ...]) -> None:

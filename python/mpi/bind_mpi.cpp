@@ -49,7 +49,8 @@ using Rows = py::array_t<double, py::array::c_style>;
 /// `input`: paths, or rows of numbers. `communicator`: the address of an MPI_Comm.
 py::dict make(const py::object& input, const std::string& folder, std::uintptr_t communicator,
               std::uint64_t memory, std::size_t tiles, unsigned threads, bool weighted,
-              const std::string& format, int columns, bool resume) {
+              const std::string& format, int columns, const std::vector<double>& lattice, int dimension,
+              double unit, bool resume) {
   TilesOptions options;
   options.memory = memory;
   options.tiles = tiles;
@@ -57,6 +58,8 @@ py::dict make(const py::object& input, const std::string& folder, std::uintptr_t
   options.weighted = weighted;
   options.format = format;
   options.columns = columns;
+  options.lattice = {dimension, lattice};
+  options.unit = unit;
   options.resume = resume;
   MPI_Comm const ranks = *reinterpret_cast<const MPI_Comm*>(communicator);
   mpi::RankEffort effort;
@@ -100,5 +103,6 @@ PYBIND11_MODULE(_mpi, module) {
   MPI_Get_library_version(version, &length);
   module.attr("library_version") = std::string(version, static_cast<std::size_t>(length));
   module.def("make_tiles", &delone::python::make, "input"_a, "folder"_a, "communicator"_a, py::kw_only(),
-             "memory"_a, "tiles"_a, "threads"_a, "weighted"_a, "format"_a, "columns"_a, "resume"_a);
+             "memory"_a, "tiles"_a, "threads"_a, "weighted"_a, "format"_a, "columns"_a, "lattice"_a,
+             "dimension"_a, "unit"_a, "resume"_a);
 }

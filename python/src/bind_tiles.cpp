@@ -33,15 +33,15 @@ py::dict index_as_dict(const TilesIndex& index) {
                   "num_vertices"_a = index.num_vertices, "num_duplicates"_a = index.num_duplicates,
                   "num_hidden"_a = index.num_hidden, "num_cells"_a = index.num_cells,
                   "num_hull_facets"_a = index.num_hull_facets, "hash"_a = index.hash.hex(),
-                  "lattice"_a = index.lattice.vectors, "parts"_a = parts);
+                  "lattice"_a = index.lattice.vectors, "unit"_a = index.unit, "parts"_a = parts);
 }
 
 /// A path, or rows of numbers: of shape (n, d), or (n, d + 1) with weights.
 py::dict make_folder(const py::object& input, const std::string& folder, std::uint64_t memory,
                      std::size_t tiles, int threads, bool weighted, const std::string& format, int columns,
                      int dimension, std::vector<std::string> coordinates, std::string weights,
-                     std::vector<double> lattice, bool resume, bool vtu, const py::object& forecast,
-                     const py::object& damage, const py::object& progress) {
+                     std::vector<double> lattice, double unit, bool resume, bool vtu,
+                     const py::object& forecast, const py::object& damage, const py::object& progress) {
   TilesOptions options;
   options.memory = memory;
   options.tiles = tiles;
@@ -52,6 +52,7 @@ py::dict make_folder(const py::object& input, const std::string& folder, std::ui
   options.coordinates = std::move(coordinates);
   options.weights = std::move(weights);
   if (!lattice.empty()) options.lattice = {dimension, std::move(lattice)};
+  options.unit = unit;
   options.resume = resume;
   options.vtu = vtu;
   Supervisor supervisor(progress);
@@ -144,7 +145,7 @@ py::dict check(const std::string& folder, const py::object& input, int level, bo
 void bind_tiles(py::module_& module) {
   module.def("_make_tiles", &make_folder, "input"_a, "folder"_a, py::kw_only(), "memory"_a, "tiles"_a,
              "threads"_a, "weighted"_a, "format"_a, "columns"_a, "dimension"_a, "coordinates"_a, "weights"_a,
-             "lattice"_a, "resume"_a, "vtu"_a, "forecast"_a, "damage"_a, "progress"_a,
+             "lattice"_a, "unit"_a, "resume"_a, "vtu"_a, "forecast"_a, "damage"_a, "progress"_a,
              "Makes a folder of tiles from a path or an array, the last column of which may be weights, and "
              "returns its index.");
   module.def("_read_tiles_index", &read_index, "folder"_a, "The index of a folder of tiles.");

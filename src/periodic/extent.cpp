@@ -60,7 +60,8 @@ Extent::Extent(const PeriodicSet& set)
       basis_(make_basis(set)),
       low_(set.dimension, std::numeric_limits<double>::infinity()),
       high_(set.dimension, -std::numeric_limits<double>::infinity()),
-      extremes_(2 + 2 * (set.dimension - set.rank)) {
+      extremes_(2 + 2 * (set.dimension - set.rank)),
+      others_(1 + 2 * set.rank) {
   double size = 0;
   for (const double largest : set_.largest) size += largest;
   margin_ = 0x1p-45 * size;
@@ -94,16 +95,25 @@ void Extent::add(const double* point, std::int64_t row) {
     is_heavier = point[d] > largest_weight_;
     largest_weight_ = std::max(largest_weight_, point[d]);
   }
-  if (set_.weighted) take(extremes_[1], is_first || is_heavier, point, row);
+  if (set_.weighted) {
+    take(extremes_[1], is_first || is_heavier, point, row);
+    if (is_first || point[d] < others_[0].point[d]) others_[0] = {row, {point, point + set_.row_size()}};
+  }
   for (std::size_t i = 0; i < d; ++i) {
     const double along = product(lattice_direction(i), point, d);
-    if (i >= set_.rank) {
-      take(extremes_[2 + 2 * (i - set_.rank)], is_first || along < low_[i], point, row);
-      take(extremes_[3 + 2 * (i - set_.rank)], is_first || along > high_[i], point, row);
-    }
+    Extreme* const ends = i < set_.rank ? &others_[1 + 2 * i] : &extremes_[2 + 2 * (i - set_.rank)];
+    take(ends[0], is_first || along < low_[i], point, row);
+    take(ends[1], is_first || along > high_[i], point, row);
     low_[i] = std::min(low_[i], along);
     high_[i] = std::max(high_[i], along);
   }
+}
+
+std::vector<double> Extent::witnesses() const {
+  std::vector<double> points;
+  for (const std::vector<Extreme>* some : {&extremes_, &others_})
+    for (const Extreme& one : *some) points.insert(points.end(), one.point.begin(), one.point.end());
+  return points;
 }
 
 std::vector<Extent::Extreme> Extent::extremes() const {

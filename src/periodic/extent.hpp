@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace delone::periodic {
@@ -24,6 +25,13 @@ class Extent {
   explicit Extent(const PeriodicSet& set);
   /// A point in the box, and its row.
   void add(const double* point, std::int64_t row);
+
+  /// Some of the points, one after the other with their weights: an extent of these has the same ranges, and
+  /// the same points in its frame but for rows and weights of equal positions, which depend on what was added
+  /// first. So an extent of the witnesses of several extents is that of all their points.
+  std::vector<double> witnesses() const;
+  /// The points of the frame, and others without a row, to settle rows and weights of equal positions.
+  std::span<Extreme> frame_points() { return extremes_; }
 
   double largest_weight() const { return largest_weight_; }
   /// A bound of |w| of all points.
@@ -62,6 +70,7 @@ class Extent {
   std::vector<double> fraction_slack_;
   std::vector<double> basis_, low_, high_;  // d directions
   std::vector<Extreme> extremes_;           // middle, heaviest, and two for each free direction
+  std::vector<Extreme> others_;             // lightest, and two for each direction of the lattice
 };
 
 }  // namespace delone::periodic

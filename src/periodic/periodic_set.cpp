@@ -27,6 +27,9 @@ constexpr int most_of_sums = 1 << 29;
 [[noreturn]] void refuse_far(std::size_t row) {
   refuse("point " + std::to_string(row) + " is more than 2^29 periods away", {row});
 }
+[[noreturn]] void refuse_fine(std::size_t row) {
+  refuse("the unit is too small: point " + std::to_string(row) + " is not below 2^53 units", {row});
+}
 [[noreturn]] void refuse_heavy(std::size_t row) {
   refuse("the weight of point " + std::to_string(row) + " is too large for the box", {row});
 }
@@ -39,30 +42,54 @@ std::vector<double> nearest_doubles(std::span<const Integer> integers, int grid)
 
 class SetMaker {
  public:
-  using EachPoint = std::function<void(const std::function<void(const double*)>&)>;
-
-  /// Without `each_point`: the points of the input.
-  explicit SetMaker(const SetInput& input, EachPoint each_point = {})
-      : input_(input), each_point_(std::move(each_point)), d_(input.dimension) {}
-
-  PeriodicSet make() {
+  explicit SetMaker(const SetInput& input) : input_(input), d_(input.dimension) {
     check();
     set_.dimension = d_;
     set_.rank = r_;
     set_.weighted = input_.is_weighted;
     set_.unit = input_.unit;
-    std::vector<double> given(input_.lattice.begin(), input_.lattice.end());
-    for (double& x : given) x = number_of(x, "a lattice vector");
-    IntegerRows rows = integers_of(given);
+    given_.assign(input_.lattice.begin(), input_.lattice.end());
+    for (double& x : given_) x = number_of(x, "a lattice vector");
+    IntegerRows rows = integers_of(given_);
     require_independent(rows.entries);
     sums_ = reduce_lattice(rows.entries, r_);
     // Of a size near 1, so that squares are in range.
     double size = 0;
-    for (const double x : r_ > 0 ? std::span<const double>(given) : input_.points)
+    for (const double x : r_ > 0 ? std::span<const double>(given_) : input_.points)
       size = std::max(size, std::abs(x));
-    const int exponent = size > 0 ? std::ilogb(size) : 0;
-    choose_grid(Period(nearest_doubles(rows.entries, rows.grid - exponent), r_, d_), exponent);
-    snap_lattice(given);
+    exponent_ = size > 0 ? std::ilogb(size) : 0;
+    period_ = Period(nearest_doubles(rows.entries, rows.grid - exponent_), r_, d_);
+    double codes = 1;
+    for (std::size_t i = 0; i < r_; ++i) codes *= 2.0 * period_.reach(i) + 1;
+    if (codes > 0x1p62) refuse("the lattice has too many dimensions, or is too flat");
+  }
+
+  /// In units of 2^exponent.
+  std::vector<double> free_extent(const EachPoint& each_point) {
+    std::vector<double> free(d_, 0.0), x(d_);
+    if (r_ == d_) return free;
+    const double displacement = set_.displacement;  // of the lattice: points are not placed here
+    each_point([&](const double* point) {
+      for (std::size_t j = 0; j < d_; ++j) x[j] = std::ldexp(number_of(point[j], "a coordinate"), -exponent_);
+      for (std::size_t j = 0; j < d_; ++j) {
+        double part = x[j];
+        for (std::size_t i = 0; i < r_; ++i) part -= period_.fraction(i, x.data()) * period_.vector(i)[j];
+        free[j] = std::max(free[j], std::abs(part));
+      }
+    });
+    set_.displacement = displacement;
+    return free;
+  }
+
+  /// With the points of the input.
+  PeriodicSet make() {
+    return make(free_extent([&](const std::function<void(const double*)>& visit) {
+      for (std::size_t at = 0; at < input_.points.size(); at += d_) visit(&input_.points[at]);
+    }));
+  }
+  PeriodicSet make(std::span<const double> free) {
+    choose_grid(free);
+    snap_lattice();
     wrap_points();
     set_.grid = grid_;
     return std::move(set_);
@@ -115,37 +142,17 @@ class SetMaker {
 
   void note_displacement(double moved) { set_.displacement = std::max(set_.displacement, moved); }
 
-  void each_point(const std::function<void(const double*)>& visit) const {
-    if (each_point_) return each_point_(visit);
-    for (std::size_t at = 0; at < input_.points.size(); at += d_) visit(&input_.points[at]);
-  }
-
-  /// From the lattice in units of 2^exponent, nearly: what coordinates of images are below, and the grid.
-  void choose_grid(const Period& period, int exponent) {
-    double codes = 1;
-    for (std::size_t i = 0; i < r_; ++i) codes *= 2.0 * period.reach(i) + 1;
-    if (codes > 0x1p62) refuse("the lattice has too many dimensions, or is too flat");
+  /// What coordinates of images are below, and the grid.
+  void choose_grid(std::span<const double> free) {
     set_.largest.assign(d_, 0.0);
     for (std::size_t i = 0; i < r_; ++i)
       for (std::size_t j = 0; j < d_; ++j)
-        set_.largest[j] += (period.reach(i) + 1) * std::abs(period.vector(i)[j]);
-    if (r_ < d_) {  // the parts of points that are orthogonal to the lattice
-      std::vector<double> free(d_, 0.0), x(d_);
-      each_point([&](const double* point) {
-        for (std::size_t j = 0; j < d_; ++j)
-          x[j] = std::ldexp(number_of(point[j], "a coordinate"), -exponent);
-        for (std::size_t j = 0; j < d_; ++j) {
-          double part = x[j];
-          for (std::size_t i = 0; i < r_; ++i) part -= period.fraction(i, x.data()) * period.vector(i)[j];
-          free[j] = std::max(free[j], std::abs(part));
-        }
-      });
-      for (std::size_t j = 0; j < d_; ++j) set_.largest[j] += free[j] * (1 + 0x1p-20);
-    }
+        set_.largest[j] += (period_.reach(i) + 1) * std::abs(period_.vector(i)[j]);
+    for (std::size_t j = 0; j < d_; ++j) set_.largest[j] += free[j] * (1 + 0x1p-20);
     const double bound = *std::max_element(set_.largest.begin(), set_.largest.end());
     int e = 0;
     std::frexp(bound * (1 + 0x1p-20), &e);
-    e += exponent;
+    e += exponent_;
     if (!std::isfinite(bound) || e > std::numeric_limits<double>::max_exponent)
       refuse("the box is too large: images of its points are not finite");
     if (input_.unit > 0 && e > 53) refuse("the unit is too small: the box has more than 2^53 units");
@@ -153,7 +160,7 @@ class SetMaker {
     // Products of many coordinates stay far from the ends of the range.
     constexpr int moderate = 100;
     if (input_.unit == 0 && std::abs(e) > moderate) set_.scale = e;
-    for (double& x : set_.largest) x = std::ldexp(x, exponent - set_.scale);
+    for (double& x : set_.largest) x = std::ldexp(x, exponent_ - set_.scale);
     set_.query_grid = e - 53 - set_.scale;
   }
 
@@ -166,8 +173,8 @@ class SetMaker {
     return std::ldexp(multiple, grid_ - set_.scale);
   }
 
-  void snap_lattice(std::span<const double> given) {
-    for (const double x : given) set_.lattice.push_back(snapped(x));
+  void snap_lattice() {
+    for (const double x : given_) set_.lattice.push_back(snapped(x));
     const IntegerRows rows = integers_of(set_.lattice);
     std::vector<Integer> reduced(r_ * d_);
     for (std::size_t i = 0; i < r_; ++i)
@@ -218,17 +225,17 @@ class SetMaker {
   std::string step_of_grid() const { return input_.unit > 0 ? "the unit" : "2^" + std::to_string(grid_); }
 
   double weight(std::size_t row) const {
-    const double w = input_.weights[row];
-    const double scaled = input_.unit > 0 ? w / input_.unit / input_.unit : std::ldexp(w, -2 * set_.scale);
-    if (!std::isfinite(scaled)) refuse_heavy(row);
-    return scaled + 0.0;
+    const double w = set_.inner_weight(input_.weights[row]);
+    if (!std::isfinite(w)) refuse_heavy(row);
+    return w;
   }
 
   const SetInput& input_;
-  const EachPoint each_point_;
   const std::size_t d_;
   std::size_t r_ = 0;
-  int grid_ = 0;
+  std::vector<double> given_;  // the lattice as numbers
+  Period period_;              // reduced, in units of 2^exponent, nearly
+  int exponent_ = 0, grid_ = 0;
   std::vector<Integer> sums_;
   PeriodicSet set_;
 };
@@ -265,23 +272,46 @@ double PeriodicSet::snapped_query(double x) const {
   return std::abs(steps) < 0x1p53 ? std::ldexp(std::nearbyint(steps), query_grid) : y;
 }
 
+double PeriodicSet::outer_weight(double w) const {
+  if (unit == 0) return std::ldexp(w, 2 * scale);
+  // Four roundings, half a unit in the last place each, are between this and what the number was made of.
+  const double near = w * unit * unit, infinity = std::numeric_limits<double>::infinity();
+  double below = near, above = near;
+  constexpr int most_steps = 8;
+  for (int step = 0; step < most_steps; ++step) {
+    if (inner_weight(below) == w) return below;
+    if (inner_weight(above) == w) return above;
+    below = std::nextafter(below, -infinity);
+    above = std::nextafter(above, infinity);
+  }
+  return near;
+}
+
 void PeriodicSet::place(std::size_t row, double* point) const {
-  for (std::size_t j = 0; j < dimension; ++j)
-    point[j] = std::ldexp(std::nearbyint(std::ldexp(point[j], -grid)), grid - scale);
+  for (std::size_t j = 0; j < dimension; ++j) {
+    if (unit == 0) {
+      point[j] = std::ldexp(std::nearbyint(std::ldexp(point[j], -grid)), grid - scale);
+      continue;
+    }
+    point[j] = std::nearbyint(point[j] / unit);
+    if (!(std::abs(point[j]) <= 0x1p53)) refuse_fine(row);
+  }
   std::vector<std::int32_t> wraps(rank, 0);
   if (!period.wrap(grid - scale, point, wraps.data())) refuse_far(row);
   for (std::size_t j = 0; j < dimension; ++j) point[j] += 0.0;
   if (!weighted) return;
-  point[dimension] = std::ldexp(point[dimension], -2 * scale) + 0.0;
+  point[dimension] = inner_weight(point[dimension]);
   if (!std::isfinite(point[dimension])) refuse_heavy(row);
 }
 
 PeriodicSet make_periodic_set(const SetInput& input) { return SetMaker(input).make(); }
 
-PeriodicSet make_set_of_stream(
-    const SetInput& input,
-    const std::function<void(const std::function<void(const double*)>& visit)>& each_point) {
-  return SetMaker(input, each_point).make();
+std::vector<double> free_extent(const SetInput& input, const EachPoint& each_point) {
+  return SetMaker(input).free_extent(each_point);
+}
+
+PeriodicSet make_set_without_rows(const SetInput& input, std::span<const double> free) {
+  return SetMaker(input).make(free);
 }
 
 }  // namespace delone::periodic

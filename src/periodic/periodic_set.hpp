@@ -54,13 +54,18 @@ struct PeriodicSet {
   /// A coordinate or length as a number of the caller, and back.
   double outer(double x) const { return unit > 0 ? x * unit : std::ldexp(x, scale); }
   double inner(double x) const { return unit > 0 ? x / unit : std::ldexp(x, -scale); }
+  /// A weight as a number of the set, and back: to one that becomes this number of the set.
+  double inner_weight(double w) const {
+    return (unit > 0 ? w / unit / unit : std::ldexp(w, -2 * scale)) + 0.0;
+  }
+  double outer_weight(double w) const;
   /// A coordinate of a query, as a number of the set on a grid on which its translates in the box are exact.
   /// Of a set with a unit that is finer than the unit. Beyond 2^53 of its steps: as it is.
   double snapped_query(double x) const;
   /// The points, n×d, where they were given, on the grid, in numbers of the caller.
   std::vector<double> given_points(std::span<const double> given) const;
   /// Moves a point of the caller onto the grid and into the box: d coordinates, and the weight if there are
-  /// weights. REQUIRES that there is no unit, and finite numbers. Throws invalid_argument with the row.
+  /// weights. REQUIRES finite numbers. Throws invalid_argument with the row.
   void place(std::size_t row, double* point) const;
   /// Σ k_i a_i in terms of the caller's vectors, |k_i| < 2^32. Throws Errc::unsupported beyond 32 bits.
   void to_given_basis(std::span<const std::int64_t> k, std::int32_t* given) const;
@@ -71,11 +76,16 @@ struct PeriodicSet {
 /// refuse.
 PeriodicSet make_periodic_set(const SetInput& input);
 
+/// Calls visit(x) with the d coordinates of each point.
+using EachPoint = std::function<void(const std::function<void(const double*)>& visit)>;
+
+/// How far points reach beside the lattice: d bounds of the coordinates of their parts that are orthogonal to
+/// it, in a unit that depends on the lattice alone. Of points in several parts the bounds are the largest of
+/// the parts. each_point() is not called if the lattice has d vectors. Throws as make_periodic_set().
+std::vector<double> free_extent(const SetInput& input, const EachPoint& each_point);
+
 /// A set whose points are placed one after the other, so that it has no rows: `input` has none either.
-/// each_point(visit) calls visit(x) with the d coordinates of each point; it is called if the lattice has
-/// less than d vectors. Throws as make_periodic_set().
-PeriodicSet make_set_of_stream(
-    const SetInput& input,
-    const std::function<void(const std::function<void(const double*)>& visit)>& each_point);
+/// `free`: the free_extent() of all points. Throws as make_periodic_set().
+PeriodicSet make_set_without_rows(const SetInput& input, std::span<const double> free);
 
 }  // namespace delone::periodic

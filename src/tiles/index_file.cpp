@@ -41,6 +41,7 @@ void write_tiles_index(const std::string& folder, const TilesIndex& index, const
   json["affine_dimension"] = index.affine_dimension;
   json["weighted"] = index.weighted;
   if (index.lattice.rank() > 0) json["lattice"] = index.lattice.vectors;
+  if (index.unit > 0) json["unit"] = index.unit;
   json["num_points"] = index.num_points;
   json["num_vertices"] = index.num_vertices;
   json["num_duplicates"] = index.num_duplicates;
@@ -76,6 +77,7 @@ TilesIndex read_tiles_index(const std::string& folder, std::string& fingerprint)
     index.affine_dimension = static_cast<int>(members.number("affine_dimension", -1, index.dimension));
     index.weighted = members.flag("weighted");
     index.lattice = members.lattice(index.dimension);
+    index.unit = members.unit();
     index.num_points = members.number("num_points", 0, largest_count);
     index.num_vertices = members.number("num_vertices", 0, index.num_points);
     index.num_duplicates = members.number("num_duplicates", 0, index.num_points);

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -93,6 +94,13 @@ class JsonMembers {
       lattice.vectors.push_back(number.get<double>());
     }
     return lattice;
+  }
+  /// That of a periodic set; 0 if there is no such member.
+  double unit() const {
+    if (!object_.contains("unit")) return 0;
+    const double unit = real("unit");
+    if (!(unit > 0 && std::isfinite(unit))) refuse("unit", "a finite number above 0", find("unit"));
+    return unit;
   }
   const std::string& name() const { return name_; }
 

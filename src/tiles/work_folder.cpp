@@ -43,6 +43,7 @@ std::pair<Plan, TilesIndex> read_finished(const std::string& folder) {
   plan.affine_dimension = index.affine_dimension;
   plan.weighted = index.weighted;
   plan.lattice = index.lattice;
+  plan.unit = index.unit;
   plan.num_points = index.num_points;
   plan.num_tiles = index.parts.size();
   return {plan, index};
@@ -59,6 +60,7 @@ std::string difference(const Plan& found, const Plan& wanted) {
   if (found.lattice.rank() != wanted.lattice.rank())
     return fmt::format("of a set with {} lattice vectors, not {}", found.lattice.rank(),
                        wanted.lattice.rank());
+  if (found.unit != wanted.unit) return "of a set with another unit";
   if (found.lattice.vectors != wanted.lattice.vectors) return "of another lattice";
   if (found.fingerprint != wanted.fingerprint) return "of other points";
   if (found.num_tiles != wanted.num_tiles)
@@ -133,6 +135,7 @@ void write_plan(const std::string& work, const Plan& plan) {
   json["affine_dimension"] = plan.affine_dimension;
   json["weighted"] = plan.weighted;
   if (plan.lattice.rank() > 0) json["lattice"] = plan.lattice.vectors;
+  if (plan.unit > 0) json["unit"] = plan.unit;
   json["num_points"] = plan.num_points;
   json["num_tiles"] = plan.num_tiles;
   json["input"] = plan.fingerprint;
@@ -149,6 +152,7 @@ Plan read_plan(const std::string& work) {
   plan.affine_dimension = static_cast<int>(members.number("affine_dimension", -1, plan.dimension));
   plan.weighted = members.flag("weighted");
   plan.lattice = members.lattice(plan.dimension);
+  plan.unit = members.unit();
   plan.num_points = members.number("num_points", 0, largest_count);
   plan.num_tiles =
       static_cast<std::size_t>(members.number("num_tiles", 0, std::numeric_limits<std::int32_t>::max()));
@@ -264,6 +268,7 @@ TilesIndex WorkFolder::summary() const {
   index.affine_dimension = plan_.affine_dimension;
   index.weighted = plan_.weighted;
   index.lattice = plan_.lattice;
+  index.unit = plan_.unit;
   index.num_points = plan_.num_points;
   complex::HashAccumulator hash, weighted_hash;
   bool has_vertex = false;

@@ -23,13 +23,14 @@ struct Plan {
   int dimension = 0, affine_dimension = -1;
   bool weighted = false;
   Lattice lattice;  ///< of a periodic set
+  double unit = 0;  ///< the same
   std::int64_t num_points = 0;
   std::size_t num_tiles = 0;
   std::string fingerprint;  ///< of the input: any text that tells it from others
 
   friend bool operator==(const Plan& a, const Plan& b) {
     return a.dimension == b.dimension && a.affine_dimension == b.affine_dimension &&
-           a.weighted == b.weighted && a.lattice.vectors == b.lattice.vectors &&
+           a.weighted == b.weighted && a.lattice.vectors == b.lattice.vectors && a.unit == b.unit &&
            a.num_points == b.num_points && a.num_tiles == b.num_tiles && a.fingerprint == b.fingerprint;
   }
 };

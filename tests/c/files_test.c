@@ -171,6 +171,55 @@ static void tiles(const char* folder) {
   free(points);
 }
 
+/* A set that is periodic along two of three axes, of points in memory and of a file; with weights. */
+static void periodic_tiles(const char* folder) {
+  double* const points = random_points(600, 3);
+  double* const rows = malloc(600 * 4 * sizeof(double));
+  double weights[600];
+  const double lattice[6] = {1, 0, 0, 0, 1, 0};
+  delone_options* options;
+  delone_object *t, *made, *report;
+  delone_array array;
+  size_t i;
+  for (i = 0; i < 600; ++i) {
+    memcpy(rows + 4 * i, points + 3 * i, 3 * sizeof(double));
+    rows[4 * i + 3] = weights[i] = (double)(i % 7) / 1000;
+  }
+  OK(delone_options_new(&options));
+  OK(delone_set_integer(options, "tiles", 3));
+  OK(delone_set_integer(options, "resume", 0));
+  OK(delone_periodic_delaunay(points, 600, 3, lattice, 2, NULL, &t));
+  OK(delone_make_periodic_tiles_of_points(points, 600, 3, lattice, 2, folder, options, &made));
+  CHECK(strcmp(get_text(made, "hash"), get_text(t, "hash")) == 0 && get_integer(made, "num_parts") == 3);
+  array = get_array(made, "lattice");
+  CHECK(array.shape[0] == 2 && array.shape[1] == 3 && entry(&array, 4) == 1);
+  delone_free(made);
+  OK(delone_write_points(points, 600, 3, "c_tiles.npy", NULL));
+  OK(delone_make_periodic_tiles("c_tiles.npy", lattice, 2, 3, folder, options, &made));
+  CHECK(strcmp(get_text(made, "hash"), get_text(t, "hash")) == 0);
+  delone_free(made);
+  delone_free(t);
+  OK(delone_check_tiles(folder, NULL, 0, 0, NULL, &report));
+  CHECK(get_integer(report, "ok") == 1);
+  delone_free(report);
+  OK(delone_set_integer(options, "weighted", 1));
+  OK(delone_periodic_regular(points, weights, 600, 3, lattice, 2, NULL, &t));
+  OK(delone_make_periodic_tiles_of_points(rows, 600, 4, lattice, 2, folder, options, &made));
+  CHECK(strcmp(get_text(made, "hash"), get_text(t, "hash")) == 0);
+  delone_free(made);
+  delone_free(t);
+  FAILS(DELONE_BAD_DIMENSION,
+        delone_make_periodic_tiles("c_tiles.npy", lattice, 2, 3, folder, options, &made));
+  FAILS(DELONE_INVALID_ARGUMENT,
+        delone_make_periodic_tiles_of_points(rows, 600, 4, NULL, 2, folder, options, &made));
+  OK(delone_set_integer(options, "vtu", 1));
+  FAILS(DELONE_UNSUPPORTED,
+        delone_make_periodic_tiles_of_points(rows, 600, 4, lattice, 2, folder, options, &made));
+  delone_options_free(options);
+  free(rows);
+  free(points);
+}
+
 void files_test(void) {
   products();
   protein();
@@ -178,4 +227,5 @@ void files_test(void) {
   cells_from_elsewhere();
   files_that_are_not_there();
   tiles("c_tiles");
+  periodic_tiles("c_periodic_tiles");
 }

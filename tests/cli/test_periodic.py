@@ -70,12 +70,16 @@ class Periodic(Case):
 
     def test_tiles(self):
         points, box = self.file("points.npy", POINTS), self.file("box.csv", "1,0,0\n0,1,0\n3,0,1\n")
-        for name, lattice in (("cube/", ["1,1,1"]), ("skewed/", [box]), ("slab/", ["1,1,9", "--periodic", "xy"])):
+        for name, lattice in (("cube/", ["1,1,1"]), ("skewed/", [box]), ("slab/", ["1,1,9", "--periodic", "xy"]),
+                              ("units/", ["1,1,9", "--periodic", "xy", "--unit", "0.01"])):
             made = self.stats("--lattice", *lattice, "-o", self.path(name), "--tiles", "3", "--quiet")
             whole = self.stats("--lattice", *lattice)
             self.assertEqual((made["hash"], made["cells"], made["parts"]), (whole["hash"], whole["cells"], 3))
             self.assertIn("a periodic Delaunay triangulation of its vertices", self.output("check", "--canonical", self.path(name)))
             self.assertIn("lattice vectors", self.output("info", self.path(name)))
+        self.assertRegex(self.output("info", self.path("units/")), r"unit +0\.01\n")
+        for other in (["1,1,9", "--periodic", "xy"], ["1,1,9", "--periodic", "xy", "--unit", "0.02"]):
+            self.assertIn("another unit", self.complaint("delaunay", points, "--lattice", *other, "--quiet", "-o", self.path("units/"), status=2))
         weighted = self.file("weighted.npy", np.column_stack([POINTS, POINTS[:, 0] / 50]))
         made = json.loads(self.output("regular", weighted, "--weights", "3", "--lattice", "1,1,1", "--stats", "--quiet", "-o", self.path("weighted/")))
         whole = json.loads(self.output("regular", weighted, "--weights", "3", "--lattice", "1,1,1", "--stats"))
@@ -85,7 +89,7 @@ class Periodic(Case):
     def test_what_tiles_do_not_take(self):
         points = self.file("points.npy", POINTS)
         for arguments, words, status in ((["1"], "a length per axis", 64), (["1,1"], "the lattice has 2 dimensions, not 3", 2),
-                                         (["none"], "neither lengths nor a file", 2), (["1,1,1", "--unit", "0.1"], "--unit", 64),
+                                         (["none"], "neither lengths nor a file", 2), (["1,1,1", "--unit", "inf"], "--unit inf", 64),
                                          (["1,1,1", "--exact"], "--exact", 64), (["1,1,1", "--vtu"], "--vtu", 64)):
             self.assertIn(words, self.complaint("delaunay", points, "--lattice", *arguments, "-o", self.path("no/"), status=status))
         self.assertIn("--tiles", self.complaint("delaunay", points, "--lattice", "1", "--tiles", "2", status=64))

@@ -6,12 +6,9 @@
 #include <delone/regular.hpp>
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -19,44 +16,17 @@
 #include <vector>
 
 #include "degenerate.hpp"
+#include "mpi_folder.hpp"
 #include "scale.hpp"
 
 namespace {
 
 using namespace delone;
 
-int rank_of() {
-  int rank = 0;
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  return rank;
-}
-int num_ranks() {
-  int size = 1;
-  MPI_Comm_size(MPI_COMM_WORLD, &size);
-  return size;
-}
-
-/// A folder that all ranks see, removed at the end.
-class MpiTiles : public testing::Test {
- protected:
-  MpiTiles() {
-    std::array<char, 64> name{};
-    if (rank_of() == 0) {
-      std::string text = (std::filesystem::temp_directory_path() / "delone-mpi-XXXXXX").string();
-      if (mkdtemp(text.data()) != nullptr) std::copy(text.begin(), text.end(), name.begin());
-    }
-    MPI_Bcast(name.data(), static_cast<int>(name.size()), MPI_CHAR, 0, MPI_COMM_WORLD);
-    top_ = name.data();
-  }
-  ~MpiTiles() override {
-    MPI_Barrier(MPI_COMM_WORLD);
-    if (rank_of() == 0) std::filesystem::remove_all(top_);
-  }
-  std::string path(const std::string& name) const { return top_ + "/" + name; }
-
- private:
-  std::string top_;
-};
+using test::MpiTiles;
+using test::num_ranks;
+using test::rank_of;
+using test::rows_of_rank;
 
 /// Rows of d coordinates, and a weight if `weighted`.
 struct Rows {
@@ -69,15 +39,8 @@ struct Rows {
 
 Rows rows_of(const test::PointSet& set) { return {set.name, set.dimension, false, set.points}; }
 
-/// The rows of this rank: shares are of unequal sizes, and some may be empty.
 PointsView share_of(const Rows& rows, std::uint64_t seed) {
-  test::Random random(seed);
-  const auto p = static_cast<std::size_t>(num_ranks());
-  std::vector<std::size_t> cuts{0, rows.size()};
-  for (std::size_t i = 1; i < p; ++i) cuts.push_back(random.bits() % (rows.size() + 1));
-  std::sort(cuts.begin(), cuts.end());
-  const auto r = static_cast<std::size_t>(rank_of()), width = static_cast<std::size_t>(rows.width);
-  return {std::span(rows.values).subspan(cuts[r] * width, (cuts[r + 1] - cuts[r]) * width), rows.width};
+  return rows_of_rank(rows.values, rows.width, seed);
 }
 
 /// The hash, the number of vertices and of infinite cells of the whole.
@@ -212,18 +175,6 @@ TEST_F(MpiTiles, ReadsFiles) {
     mpi::RankEffort effort;
     expect_whole(rows, mpi::make_tiles(files, path("out"), MPI_COMM_WORLD, options, &effort), path("out"));
     EXPECT_EQ(effort.num_tiles > 0, files[0] == path("whole.raw"));
-  }
-}
-
-TEST_F(MpiTiles, PeriodicSetsAreRefused) {
-  TilesOptions options;
-  options.lattice = Lattice::box(std::vector<double>{1, 1});
-  const std::vector<double> points{0.25, 0.5};
-  try {
-    mpi::make_tiles(PointsView(points, 2), path("periodic"), MPI_COMM_WORLD, options);
-    ADD_FAILURE() << "no error";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), Errc::unsupported) << error.what();
   }
 }
 

@@ -79,6 +79,26 @@ class Command(unittest.TestCase):
                              sum(rank["bytes_received"] for rank in report["ranks"]))
             self.assertEqual(json.loads((self.path / f"out{number}" / "index.json").read_text())["hash"], expected)
 
+    def test_periodic_sets(self):
+        whole = self.save("whole.npy", np.random.default_rng(1).random((900, 3)))
+        vectors = self.save("vectors.csv", np.array([[1, 0, 0], [0.25, 1, 0], [0, 0.5, 1]]))
+        for number, lattice in enumerate((["1,1,1"], [vectors], [vectors, "--periodic", "xz"], ["1,1,1", "--periodic", "y", "--unit", "0.001"])):
+            out = self.path / f"out{number}"
+            result = run(3, "delaunay", whole, "--lattice", *lattice, "-o", out, "--stats")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            made = json.loads(result.stdout)
+            report = subprocess.run([DELONE, "delaunay", whole, "--lattice", *map(str, lattice), "--stats"], capture_output=True, text=True, check=True)
+            self.assertEqual(made["hash"], json.loads(report.stdout)["hash"])
+            self.assertEqual(made["lattice_vectors"], json.loads(report.stdout)["periodic_directions"])
+            subprocess.run([DELONE, "check", "--canonical", out], stdout=subprocess.DEVNULL, check=True)
+        for other, text in ((["1,1,2"], "of another lattice"), (["1,1,1", "--periodic", "xy"], "with 3 lattice vectors, not 2"),
+                            (["1,1,1", "--unit", "0.1"], "another unit"), (["1,1"], "the lattice has 2 dimensions, not 3"),
+                            (["none.csv"], "neither lengths nor a file")):
+            self.expect_one_message(run(2, "delaunay", whole, "--lattice", *other, "-o", self.path / "out0"), 2, text)
+        for other, text in ((["1"], "a length per axis"), (["1,1,1", "--periodic", "w"], "--periodic w"), (["1,1,1", "--vtu"], "--vtu"),
+                            (["1,1,1", "--unit", "0"], "--unit")):
+            self.expect_one_message(run(2, "delaunay", whole, "--lattice", *other, "-o", self.path / "no"), 64, text)
+
     def expect_one_message(self, result, status, text):
         self.assertEqual(result.returncode, status, result.stderr)
         self.assertEqual(result.stdout, "")

@@ -42,6 +42,14 @@ comm.Barrier()
 tiles, _ = make_tiles(path / "points.npy", path / "file", weighted=True)
 assert tiles.hash == delone.Regular(points, weights).hash
 
+tiles, _ = make_tiles(mine, path / "periodic", lattice=1.0)
+assert tiles.hash == delone.PeriodicDelaunay(points, 1.0).hash
+assert (tiles.lattice == np.eye(3)).all()
+tiles, _ = make_tiles(mine, path / "slab", weights=weights_of_mine, lattice=[1, 1, 2], axes=[0, 2], unit=0.125)
+assert tiles.hash == delone.PeriodicRegular(points, weights, [1, 1, 2], [0, 2], unit=0.125).hash
+tiles, _ = make_tiles(path / "points.npy", path / "periodic_file", weighted=True, lattice=np.eye(3))
+assert tiles.hash == delone.PeriodicRegular(points, weights, 1.0).hash
+
 if comm.rank == comm.size - 1:
     mine = mine.copy()
     mine[3, 1] = np.nan
@@ -51,7 +59,7 @@ try:
 except delone.InputError as error:
     assert error.rows == [3], error.rows
     assert comm.size == 1 or f"rank {comm.size - 1}: " in str(error), error
-for wrong in [dict(threads=0), dict(weighted=True), dict(raw=3), dict(memory="much")]:
+for wrong in [dict(threads=0), dict(weighted=True), dict(raw=3), dict(memory="much"), dict(axes=[0]), dict(unit=0.1)]:
     try:
         make_tiles(mine, path / "bad", **wrong)
         raise AssertionError(f"{wrong} was accepted")

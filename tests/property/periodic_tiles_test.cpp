@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tiles of periodic sets against the triangulation in one piece: the hash, the counts and the cells, for
 // every number of tiles and threads; and check_tiles() of the folders.
+#include "periodic_tiles.hpp"
 #include "error_code.hpp"
 #include "memory_folder.hpp"
 #include "periodic_sets.hpp"
@@ -25,8 +26,6 @@ namespace {
 
 class PeriodicTiles : public ::testing::Test {
  protected:
-  using Cells = std::vector<std::vector<std::int64_t>>;
-
   TilesOptions options(std::size_t tiles, const Lattice& lattice, bool weighted, unsigned threads = 1) const {
     TilesOptions made;
     made.tiles = tiles;
@@ -36,104 +35,25 @@ class PeriodicTiles : public ::testing::Test {
     made.memory = std::uint64_t{1} << 34;
     return made;
   }
-  static std::vector<double> joined(const std::vector<double>& points, const std::vector<double>& weights,
-                                    std::size_t d) {
-    std::vector<double> rows;
-    for (std::size_t i = 0; i * d < points.size(); ++i) {
-      rows.insert(rows.end(), points.begin() + static_cast<std::ptrdiff_t>(i * d),
-                  points.begin() + static_cast<std::ptrdiff_t>((i + 1) * d));
-      if (!weights.empty()) rows.push_back(weights[i]);
-    }
-    return rows;
-  }
-  /// Of each cell its vertices, a row and offsets, sorted; sorted.
-  template <class Rows, class Offsets>
-  static void add_cells(const Rows& rows, const Offsets& offsets, std::size_t corners, std::size_t r,
-                        Cells& cells) {
-    for (std::size_t c = 0; c * corners < rows.size(); ++c) {
-      Cells vertices;
-      for (std::size_t i = c * corners; i < (c + 1) * corners; ++i) {
-        vertices.push_back({static_cast<std::int64_t>(rows[i])});
-        for (std::size_t l = 0; l < r; ++l) vertices.back().push_back(offsets[i * r + l]);
-      }
-      std::sort(vertices.begin(), vertices.end());
-      cells.emplace_back();
-      for (const auto& vertex : vertices)
-        cells.back().insert(cells.back().end(), vertex.begin(), vertex.end());
-    }
-  }
-
   void expect_as_in_one_piece(const std::vector<double>& points, const std::vector<double>& weights,
-                              const Lattice& lattice, std::size_t tiles, unsigned threads = 1) {
-    const auto d = static_cast<std::size_t>(lattice.dimension), r = static_cast<std::size_t>(lattice.rank());
-    const std::vector<double> rows = joined(points, weights, d);
+                              const Lattice& lattice, std::size_t tiles, unsigned threads = 1,
+                              double unit = 0) {
+    const std::vector<double> rows = test::rows_of(points, weights, lattice.dimension);
     const int columns = lattice.dimension + (weights.empty() ? 0 : 1);
     const std::string out = files_.file("out");
     std::filesystem::remove_all(out);
-    const TilesIndex index =
-        make_tiles(PointsView(rows, columns), out, options(tiles, lattice, !weights.empty(), threads));
-    const PointsView view(points, lattice.dimension);
-    CanonicalHash hash;
-    const auto compare = [&](const PeriodicTriangulation& whole) {
-      EXPECT_EQ(index.hash, whole.hash());
-      EXPECT_EQ(index.num_cells, static_cast<std::int64_t>(whole.num_cells()));
-      EXPECT_EQ(index.num_vertices, static_cast<std::int64_t>(whole.num_vertices()));
-      EXPECT_EQ(index.num_duplicates, static_cast<std::int64_t>(whole.num_duplicates()));
-      EXPECT_EQ(index.num_hidden, static_cast<std::int64_t>(whole.num_hidden()));
-      EXPECT_EQ(index.affine_dimension, whole.affine_dimension());
-      EXPECT_EQ(index.lattice.vectors, whole.lattice().vectors);
-      Cells found, expected;
-      const auto corners = static_cast<std::size_t>(index.affine_dimension + 1);
-      add_cells(whole.cells(), whole.cell_offsets(), corners, r, expected);
-      bool is_same_point = true;
-      for (std::size_t i = 0; i < index.parts.size(); ++i) {
-        const TileData part = read_tile(out, i);
-        std::vector<std::int64_t> cells;
-        for (const std::int32_t v : part.cells) cells.push_back(part.rows[static_cast<std::size_t>(v)]);
-        add_cells(cells, part.cell_offsets, corners, r, found);
-        for (std::size_t v = 0; v < part.rows.size(); ++v)
-          is_same_point =
-              is_same_point && std::equal(&part.points[v * d], &part.points[v * d] + d,
-                                          &whole.points()[static_cast<std::size_t>(part.rows[v]) * d]);
-      }
-      if (!is_same_point) return;  // points outside of the box have other offsets
-      std::sort(found.begin(), found.end());
-      std::sort(expected.begin(), expected.end());
-      EXPECT_EQ(found, expected);
-    };
-    if (weights.empty())
-      compare(PeriodicDelaunay<>(view, lattice));
-    else
-      compare(PeriodicRegular<>(view, weights, lattice));
-    const CheckReport report = check_tiles(out, {.canonical = true});
-    EXPECT_TRUE(report.ok) << report;
-    EXPECT_EQ(read_tiles_index(out).hash, index.hash);
+    TilesOptions how = options(tiles, lattice, !weights.empty(), threads);
+    how.unit = unit;
+    const TilesIndex index = make_tiles(PointsView(rows, columns), out, how);
+    test::expect_as_in_one_piece(index, out, points, weights, lattice, unit);
   }
 
   test::MemoryFolder files_;
 };
 
-Lattice cube(int d, double side = 1) {
-  return Lattice::box(std::vector<double>(static_cast<std::size_t>(d), side));
-}
-
-/// A cubic lattice of n^d points.
-std::vector<double> grid(int d, int n) {
-  std::vector<double> points;
-  std::vector<int> at(static_cast<std::size_t>(d), 0);
-  for (;;) {
-    for (const int i : at) points.push_back(static_cast<double>(i) / n);
-    std::size_t j = 0;
-    while (j < at.size() && ++at[j] == n) at[j++] = 0;
-    if (j == at.size()) return points;
-  }
-}
-
-std::vector<double> some_weights(std::size_t n, double size) {
-  std::vector<double> weights = make_point_set("uniform", 1, n, 5);
-  for (double& w : weights) w = test::coarse(w) * size;
-  return weights;
-}
+using test::cube;
+using test::grid;
+using test::some_weights;
 
 TEST_F(PeriodicTiles, UniformPoints) {
   for (const int d : {2, 3}) {
@@ -231,6 +151,22 @@ TEST_F(PeriodicTiles, HiddenPointsOfFinerCoordinates) {
   expect_as_in_one_piece(points, weights, cube(2), 4);
 }
 
+// Multiples of a tenth are ties only by their unit. Weights are not multiples of anything.
+TEST_F(PeriodicTiles, Units) {
+  for (const int d : {2, 3}) {
+    std::vector<double> points = grid(d, 5);
+    for (double& x : points) x *= .5;
+    const std::vector<double> weights =
+        make_point_set("uniform", 1, points.size() / static_cast<std::size_t>(d), 7);
+    for (const int rank : {d, d - 1})
+      for (const std::size_t tiles : {1, 4}) {
+        const Lattice lattice = test::of_rank(cube(d, .5), rank);
+        expect_as_in_one_piece(points, {}, lattice, tiles, 1, .1);
+        expect_as_in_one_piece(points, weights, lattice, tiles, 1, .1);
+      }
+  }
+}
+
 TEST_F(PeriodicTiles, DuplicatesAndPointsOutside) {
   std::vector<double> points = make_point_set("uniform", 3, 200, 9);
   for (double& x : points) x = test::coarse(x);
@@ -258,7 +194,14 @@ TEST_F(PeriodicTiles, WrongFoldersAreFound) {
   make_tiles(PointsView(points, 3), out, options(4, cube(3), false));
   EXPECT_EQ(test::code_of([&] { make_tiles(PointsView(points, 3), out, options(4, cube(3, 2), false)); }),
             Errc::invalid_argument);
+  const std::vector<double> others = make_point_set("uniform", 3, 500, 2);
+  EXPECT_EQ(test::code_of([&] { make_tiles(PointsView(others, 3), out, options(4, cube(3), false)); }),
+            Errc::invalid_argument);
   EXPECT_EQ(test::code_of([&] { make_tiles(PointsView(points, 3), out, options(4, {}, false)); }),
+            Errc::invalid_argument);
+  TilesOptions with_unit = options(4, cube(3), false);
+  with_unit.unit = 1e-6;
+  EXPECT_EQ(test::code_of([&] { make_tiles(PointsView(points, 3), out, with_unit); }),
             Errc::invalid_argument);
   EXPECT_EQ(test::code_of([&] { make_tiles(PointsView(points, 3), out, options(4, cube(2), false)); }),
             Errc::bad_dimension);

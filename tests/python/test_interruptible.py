@@ -66,7 +66,7 @@ QUICK = {
     "delone.interpolate._base.OnTriangulation": "__init__ values",
     "delone.interpolate._nearest.NearestNDInterpolator": "__init__",
     "delone.tiles.Tiles": "__getitem__ __init__ __iter__ __len__ __repr__ affine_dimension dimension folder hash lattice num_cells num_duplicates num_hidden "
-                          "num_hull_facets num_points num_vertices parts weighted",
+                          "num_hull_facets num_points num_vertices parts unit weighted",
     "delone": "ball_halfspaces cylinder_halfspaces forecast generate patch_scipy read scipy_is_patched unpatch_scipy write_points",
     "delone.spatial": "convex_hull_plot_2d delaunay_plot_2d distance_matrix geometric_slerp minkowski_distance minkowski_distance_p "
                       "procrustes voronoi_plot_2d",

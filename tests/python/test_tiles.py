@@ -344,7 +344,34 @@ def test_periodic_files_and_weights(tmp_path):
         tiles.make_tiles(tmp_path / "points.npy", tmp_path / "no", weights="2", lattice=1.0)
     with pytest.raises(ValueError, match="axes: give a lattice"):
         tiles.make_tiles(points, tmp_path / "no", axes=[0])
+    with pytest.raises(ValueError, match="unit: give a lattice"):
+        tiles.make_tiles(points, tmp_path / "no", unit=0.1)
+    with pytest.raises(ValueError, match="unit: a finite number above 0"):
+        tiles.make_tiles(points, tmp_path / "no", lattice=1.0, unit=-0.1)
     with pytest.raises(delone.Error, match="not compared"):
         made.check(points=points, weights=weights)
     with pytest.raises(delone.Error, match="vtu"):
         tiles.make_tiles(points, tmp_path / "no", lattice=1.0, vtu=True)
+
+
+# Multiples of 0.1 with ties; weights that are no multiples of anything.
+@pytest.mark.parametrize("axes", [None, [1]])
+def test_periodic_units(tmp_path, axes):
+    points = np.stack(np.meshgrid(*[np.arange(7)] * 3), axis=-1).reshape(-1, 3) * 0.1
+    whole = delone.PeriodicDelaunay(points, 0.7, axes, unit=0.1)
+    made = tiles.make_tiles(points, tmp_path / "out", tiles=4, lattice=0.7, axes=axes, unit=0.1)
+    assert made.hash == whole.hash and made.check(canonical=True)
+    assert made.unit == 0.1 and (made.lattice == whole.lattice).all()
+    weights = np.random.default_rng(1).random(len(points)) * 0.02
+    made = tiles.make_tiles(points, tmp_path / "weighted", weights=weights, tiles=4, lattice=0.7, axes=axes, unit=0.1)
+    assert made.hash == delone.PeriodicRegular(points, weights, 0.7, axes, unit=0.1).hash and made.check(canonical=True)
+    for part in made:
+        assert np.allclose(part.weights, weights[part.rows], rtol=4 * np.finfo(float).eps, atol=0)
+    for other in (None, 0.05):
+        with pytest.raises(delone.InputError, match="another unit"):
+            tiles.make_tiles(points, tmp_path / "out", tiles=4, lattice=0.7, axes=axes, unit=other)
+    assert tiles.make_tiles(points, tmp_path / "none", lattice=0.7).unit is None
+    with pytest.raises(delone.InputError, match="point 5 is not below 2.53 units") as refused:
+        points[5, 1] = 1e17
+        tiles.make_tiles(points, tmp_path / "far", lattice=0.7, unit=0.1)
+    assert refused.value.rows == [5]

@@ -41,7 +41,8 @@ struct RankEffort {
 ///
 /// options: `memory` is that of one rank, and `tiles` the number of all tiles; there are at least as many
 /// tiles as ranks. `progress` and `forecast` are called by every rank, by itself. Rank 0 writes the
-/// files of `vtu`, at the end.
+/// files of `vtu`, at the end. With a `lattice` all ranks agree on the grid of the periodic set, which takes
+/// one more pass over the input.
 ///
 /// Errors of any rank are thrown by all, with the number of the rank in front unless all have the same one.
 /// If a rank runs out of memory in the middle of an exchange, it says so on standard error and ends all ranks

@@ -44,6 +44,7 @@ class Whole {
     data.affine_dimension = index_.affine_dimension;
     data.kind = index_.weighted ? DataKind::periodic_regular : DataKind::periodic_delaunay;
     data.lattice = index_.lattice.vectors;
+    data.unit = index_.unit;
     number_vertices();
     merge_points(data);
     for (std::size_t i = 0; i < parts_.size(); ++i) merge_cells(i, data);
@@ -133,6 +134,7 @@ class Whole {
   CanonicalHash hash(const ComplexData& data) const {
     periodic::SetInput input{data.points, data.weights, data.lattice,
                              static_cast<std::size_t>(data.dimension), index_.weighted};
+    input.unit = index_.unit;
     const periodic::PeriodicSet set = make_periodic_set(input);
     const bool with_weights = std::any_of(data.weights.begin(), data.weights.end(),
                                           [&](double weight) { return weight != data.weights.front(); });

@@ -5,11 +5,11 @@
 #include "base/random.hpp"
 #include "complex/canonical_hash.hpp"
 #include "io/file.hpp"
-#include "periodic/periodic_hash.hpp"
 #include "tiles/folder_names.hpp"
 #include "tiles/making/periodic_input.hpp"
 #include "tiles/making/periodic_part.hpp"
 #include "tiles/making/periodic_surroundings.hpp"
+#include "tiles/making/settle_hash.hpp"
 #include "tiles/page_file.hpp"
 #include "tiles/part_file.hpp"
 #include "tiles/repair.hpp"
@@ -87,7 +87,7 @@ class Run {
   bool is_periodic() const { return options_.lattice.rank() > 0; }
   /// Of the points in the box of the lattice.
   SurveyResult survey_periodic() {
-    set_ = make_set(points_, options_.weighted, options_.lattice);
+    set_ = make_set(points_, options_);
     require_few_shifts(*set_);
     placed_.emplace(points_, *set_);
     PeriodicSurvey made = make_periodic_survey(*placed_, *set_);
@@ -139,7 +139,10 @@ class Run {
     plan.dimension = survey_.dimension;
     plan.affine_dimension = survey_.affine_dimension;
     plan.weighted = survey_.weighted;
-    if (set_) plan.lattice = lattice_of(*set_);
+    if (set_) {
+      plan.lattice = lattice_of(*set_);
+      plan.unit = set_->unit;
+    }
     plan.num_points = static_cast<std::int64_t>(survey_.num_points);
     plan.num_tiles = forecast_.num_tiles;
     plan.fingerprint = fingerprint_;
@@ -161,34 +164,11 @@ class Run {
     return folder.finish_all(memory_ / 4, options_.vtu);
   }
 
-  /// The hash counts in units of the finest bit of all vertices. Hidden points may have a finer one: then the
-  /// shares of tiles were in other units.
   void settle_hash(WorkFolder& folder) {
-    int finest = finest_bit_;
     const std::size_t n = folder.plan().num_tiles;
-    const auto has_hidden = [&](std::size_t t) { return folder.finished(t)->num_hidden > 0; };
-    bool any_hidden = false;
-    for (std::size_t t = 0; t < n; ++t) any_hidden = any_hidden || has_hidden(t);
-    if (any_hidden) {
-      finest = periodic::finest_bit(set_->period);
-      for (std::size_t t = 0; t < n; ++t)
-        finest = std::min(finest, finest_bit_of_part(*set_, read_part(folder_, t, folder.finished(t)->part),
-                                                     folder.finished(t)->num_vertices));
-    }
-    for (std::size_t t = 0; t < n; ++t) {
-      if (t > 0 && finest == finest_bit_) break;
-      TileRecord record = *folder.finished(t);
-      if (finest != finest_bit_) {
-        const TileData part = read_part(folder_, t, record.part);
-        record.hash = hash_of_part(*set_, finest, part, record.num_vertices, false);
-        record.weighted_hash = hash_of_part(*set_, finest, part, record.num_vertices, true);
-      }
-      if (t == 0) {
-        record.hash.add(lattice_hash(*set_, finest));
-        record.weighted_hash.add(lattice_hash(*set_, finest));
-      }
-      folder.know(t, record);
-    }
+    const int finest =
+        has_hidden_points(folder, 0, n) ? finest_bit_of_vertices(*set_, folder, 0, n) : finest_bit_;
+    settle_hashes(*set_, finest_bit_, finest, folder, 0, n);
   }
 
   /// Makes what is damaged in a finished folder again.

@@ -13,24 +13,34 @@
 
 namespace delone::tiles {
 
-periodic::PeriodicSet make_set(PointStream& points, bool weighted, const Lattice& lattice) {
-  const int d = points.dimension() - (weighted ? 1 : 0);
-  if (lattice.dimension != d)
-    throw Error(Errc::bad_dimension, "the lattice has " + std::to_string(lattice.dimension) +
+periodic::SetInput input_of_set(int row_size, const TilesOptions& options) {
+  const int d = row_size - (options.weighted ? 1 : 0);
+  if (options.lattice.dimension != d)
+    throw Error(Errc::bad_dimension, "the lattice has " + std::to_string(options.lattice.dimension) +
                                          " dimensions, not " + std::to_string(d));
   periodic::SetInput input;
-  input.lattice = lattice.vectors;
+  input.lattice = options.lattice.vectors;
   input.dimension = static_cast<std::size_t>(d);
-  input.is_weighted = weighted;
-  return periodic::make_set_of_stream(input, [&](const std::function<void(const double*)>& visit) {
-    std::vector<double> rows;
-    points.rewind();
-    while (points.next(rows)) {
-      internal::cancellation_point();
-      for (std::size_t at = 0; at < rows.size(); at += static_cast<std::size_t>(points.dimension()))
-        visit(&rows[at]);
-    }
-  });
+  input.is_weighted = options.weighted;
+  input.unit = options.unit;
+  return input;
+}
+
+void each_point(PointStream& points, const std::function<void(const double*)>& visit) {
+  std::vector<double> rows;
+  points.rewind();
+  while (points.next(rows)) {
+    internal::cancellation_point();
+    for (std::size_t at = 0; at < rows.size(); at += static_cast<std::size_t>(points.dimension()))
+      visit(&rows[at]);
+  }
+}
+
+periodic::PeriodicSet make_set(PointStream& points, const TilesOptions& options) {
+  const periodic::SetInput input = input_of_set(points.dimension(), options);
+  const std::vector<double> free = periodic::free_extent(
+      input, [&](const std::function<void(const double*)>& visit) { each_point(points, visit); });
+  return periodic::make_set_without_rows(input, free);
 }
 
 Lattice lattice_of(const periodic::PeriodicSet& set) {
@@ -41,9 +51,10 @@ Lattice lattice_of(const periodic::PeriodicSet& set) {
 
 bool PlacedPoints::next(std::vector<double>& rows) {
   if (!points_.next(rows)) return false;
+  if (first_row_) num_read_ = first_row_();
   for (std::size_t at = 0; at < rows.size(); at += set_.row_size()) {
-    set_.place(num_read_, &rows[at]);
-    if (observer) observer(&rows[at], static_cast<std::int64_t>(num_read_));
+    set_.place(static_cast<std::size_t>(num_read_), &rows[at]);
+    if (observer) observer(&rows[at], num_read_);
     ++num_read_;
   }
   return true;
@@ -54,16 +65,8 @@ void PlacedPoints::rewind() {
   num_read_ = 0;
 }
 
-PeriodicSurvey make_periodic_survey(PlacedPoints& points, const periodic::PeriodicSet& set) {
-  PeriodicSurvey made{{}, periodic::Extent(set), periodic::finest_bit(set.period)};
-  points.observer = [&](const double* point, std::int64_t row) {
-    made.extent.add(point, row);
-    made.finest_bit = std::min(made.finest_bit, periodic::finest_bit(point, set.dimension));
-  };
-  made.result = make_survey(points, set.weighted);
-  points.observer = {};
-  Survey& survey = made.result.survey;
-  if (survey.num_points == 0) return made;
+void add_translates(const periodic::PeriodicSet& set, Survey& survey) {
+  if (survey.num_points == 0) return;
   kernel::AffineHull hull(survey.dimension);
   for (std::size_t at = 0; at < survey.landmarks.size(); at += set.row_size())
     hull.add(&survey.landmarks[at]);
@@ -79,6 +82,18 @@ PeriodicSurvey make_periodic_survey(PlacedPoints& points, const periodic::Period
     hull.add(image.data());
   }
   survey.affine_dimension = hull.dimension();
+}
+
+PeriodicSurvey make_periodic_survey(PlacedPoints& points, const periodic::PeriodicSet& set,
+                                    std::size_t sample_size, std::uint64_t seed) {
+  PeriodicSurvey made{{}, periodic::Extent(set), periodic::finest_bit(set.period)};
+  points.observer = [&](const double* point, std::int64_t row) {
+    made.extent.add(point, row);
+    made.finest_bit = std::min(made.finest_bit, periodic::finest_bit(point, set.dimension));
+  };
+  made.result = make_survey(points, set.weighted, sample_size, seed);
+  points.observer = {};
+  add_translates(set, made.result.survey);
   return made;
 }
 

@@ -8,17 +8,26 @@
 #include "tiles/point_stream.hpp"
 #include "tiles/survey.hpp"
 
-#include <delone/periodic.hpp>
+#include <delone/tiles.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace delone::tiles {
 
+/// What is known of a set without its points, of rows of so many numbers. The options outlive the result.
+/// Throws bad_dimension if the lattice has another dimension.
+periodic::SetInput input_of_set(int row_size, const TilesOptions& options);
+
+/// Visits the points of a stream from its beginning.
+void each_point(PointStream& points, const std::function<void(const double*)>& visit);
+
 /// Reads the points once if the lattice has less than d vectors. Throws as PeriodicTriangulation.
-periodic::PeriodicSet make_set(PointStream& points, bool weighted, const Lattice& lattice);
+periodic::PeriodicSet make_set(PointStream& points, const TilesOptions& options);
 
 /// The lattice on its grid, in the numbers of the caller.
 Lattice lattice_of(const periodic::PeriodicSet& set);
@@ -26,7 +35,11 @@ Lattice lattice_of(const periodic::PeriodicSet& set);
 /// The points of another stream as numbers of a set. Both outlive the object.
 class PlacedPoints final : public PointStream {
  public:
-  PlacedPoints(PointStream& points, const periodic::PeriodicSet& set) : points_(points), set_(set) {}
+  /// `first_row` returns the row of the first point of those that the other stream has returned last; if it
+  /// is not given, rows are counted.
+  PlacedPoints(PointStream& points, const periodic::PeriodicSet& set,
+               std::function<std::int64_t()> first_row = {})
+      : points_(points), set_(set), first_row_(std::move(first_row)) {}
 
   int dimension() const override { return points_.dimension(); }
   std::optional<std::uint64_t> size_hint() const override { return points_.size_hint(); }
@@ -39,7 +52,8 @@ class PlacedPoints final : public PointStream {
  private:
   PointStream& points_;
   const periodic::PeriodicSet& set_;
-  std::uint64_t num_read_ = 0;
+  const std::function<std::int64_t()> first_row_;
+  std::int64_t num_read_ = 0;
 };
 
 struct PeriodicSurvey {
@@ -48,8 +62,12 @@ struct PeriodicSurvey {
   int finest_bit;  ///< of lattice and points, for periodic_hash.hpp
 };
 
-/// As make_survey(): the affine dimension is that of all translates, and along the lattice the box of the
-/// survey has no ends.
-PeriodicSurvey make_periodic_survey(PlacedPoints& points, const periodic::PeriodicSet& set);
+/// From the survey of the points in the box, to that of all their translates: their affine dimension, and
+/// along the lattice the box has no ends.
+void add_translates(const periodic::PeriodicSet& set, Survey& survey);
+
+/// Reads the points once, as make_survey(), and adds their translates.
+PeriodicSurvey make_periodic_survey(PlacedPoints& points, const periodic::PeriodicSet& set,
+                                    std::size_t sample_size = default_sample_size, std::uint64_t seed = 0);
 
 }  // namespace delone::tiles

@@ -15,8 +15,11 @@ namespace {
 
 /// Point i as numbers of the set, its weight included.
 void copy_inner_point(const periodic::PeriodicSet& set, const TileData& part, std::size_t i, double* x) {
-  for (std::size_t j = 0; j < set.dimension; ++j) x[j] = set.inner(part.points[i * set.dimension + j]);
-  if (set.weighted) x[set.dimension] = std::ldexp(part.weights[i], -2 * set.scale);
+  for (std::size_t j = 0; j < set.dimension; ++j) {
+    x[j] = set.inner(part.points[i * set.dimension + j]);
+    if (set.unit > 0) x[j] = std::nearbyint(x[j]);
+  }
+  if (set.weighted) x[set.dimension] = set.inner_weight(part.weights[i]);
 }
 
 }  // namespace
@@ -24,9 +27,9 @@ void copy_inner_point(const periodic::PeriodicSet& set, const TileData& part, st
 void finish_periodic_part(const periodic::PeriodicSet& set, int grid, FinishedTile& tile) {
   TileData& part = tile.data;
   for (double& x : part.points) x = set.outer(x);
-  for (double& weight : part.weights) weight = std::ldexp(weight, 2 * set.scale);
-  tile.least_weight = std::ldexp(tile.least_weight, 2 * set.scale);
-  tile.largest_weight = std::ldexp(tile.largest_weight, 2 * set.scale);
+  for (double& weight : part.weights) weight = set.outer_weight(weight);
+  tile.least_weight = set.outer_weight(tile.least_weight);
+  tile.largest_weight = set.outer_weight(tile.largest_weight);
   internal::QuickRounds round;
   std::vector<std::int64_t> offset(set.rank);
   for (std::size_t at = 0; at < part.cell_offsets.size(); at += set.rank) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -82,6 +83,48 @@ TEST(PeriodicSet, ExtremeSizesAreScaled) {
     EXPECT_EQ(set.outer(set.row(0)[0]), 0.25 * unit);
     EXPECT_EQ(set.outer(set.row(0)[1]), 0.5 * unit);
   }
+}
+
+// A set without rows has the same grid, whatever parts of the points its free extent comes from, and places
+// points where one with rows has them.
+TEST(PeriodicSet, PlacesPointsOneAfterTheOther) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> uniform(-20, 20);
+  for (const double unit : {0.0, 0.01})
+    for (const double scale : {1.0, 0x1p400})
+      for (const std::size_t rank : {1, 2, 3}) {
+        if (unit > 0 && scale > 1) continue;
+        std::vector<double> lattice{1.1, 0.1, 0, 0.3, 0.9, 0.2, 7.7, 0.3, 1.3}, points(120), weights(40);
+        lattice.resize(3 * rank);
+        for (double& x : lattice) x *= scale;
+        for (double& x : points) x = uniform(random) * scale;
+        for (double& w : weights) w = uniform(random) * scale * scale;
+        SetInput input;
+        input.lattice = lattice;
+        input.dimension = 3;
+        input.is_weighted = true;
+        input.unit = unit;
+        std::vector<double> free(3, 0.0);
+        for (const std::size_t first : {0, 60}) {
+          const std::vector<double> part = free_extent(input, [&](const auto& visit) {
+            for (std::size_t at = first; at < first + 60; at += 3) visit(&points[at]);
+          });
+          for (std::size_t j = 0; j < 3; ++j) free[j] = std::max(free[j], part[j]);
+        }
+        const PeriodicSet set = make_set_without_rows(input, free);
+        input.points = points;
+        input.weights = weights;
+        const PeriodicSet with_rows = make_periodic_set(input);
+        EXPECT_EQ(set.grid, with_rows.grid);
+        EXPECT_EQ(set.largest, with_rows.largest);
+        for (std::size_t row = 0; row < 40; ++row) {
+          std::vector<double> point(&points[3 * row], &points[3 * row] + 3);
+          point.push_back(weights[row]);
+          set.place(row, point.data());
+          EXPECT_EQ(point, std::vector<double>(with_rows.row(row), with_rows.row(row) + 4));
+          EXPECT_EQ(set.inner_weight(set.outer_weight(point[3])), point[3]);
+        }
+      }
 }
 
 }  // namespace

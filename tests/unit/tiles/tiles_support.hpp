@@ -133,6 +133,7 @@ inline delone::tiles::Plan plan_of(const delone::ComplexData& data, std::size_t 
           data.affine_dimension,
           !data.weights.empty(),
           {},
+          0,
           static_cast<std::int64_t>(data.num_points()),
           num_tiles,
           "a test"};
