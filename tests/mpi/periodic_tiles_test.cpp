@@ -146,7 +146,8 @@ TEST_F(PeriodicMpiTiles, Weights) {
 TEST_F(PeriodicMpiTiles, Units) {
   std::vector<double> points = grid(3, 4);
   for (double& x : points) x *= .4;
-  const std::vector<double> weights = make_point_set("uniform", 1, 64, 7);
+  std::vector<double> weights = make_point_set("uniform", 1, 64, 7);
+  for (double& w : weights) w *= .008;  // hides some
   for (const int rank : {2, 3})
     for (int turn = 0; turn < 2; ++turn) {
       expect_as_in_one_piece(points, {}, test::of_rank(cube(3, .4), rank), .1);

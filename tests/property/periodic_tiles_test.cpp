@@ -156,8 +156,9 @@ TEST_F(PeriodicTiles, Units) {
   for (const int d : {2, 3}) {
     std::vector<double> points = grid(d, 5);
     for (double& x : points) x *= .5;
-    const std::vector<double> weights =
+    std::vector<double> weights =
         make_point_set("uniform", 1, points.size() / static_cast<std::size_t>(d), 7);
+    for (double& w : weights) w *= .008;  // hides some
     for (const int rank : {d, d - 1})
       for (const std::size_t tiles : {1, 4}) {
         const Lattice lattice = test::of_rank(cube(d, .5), rank);
