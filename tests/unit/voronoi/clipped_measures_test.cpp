@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace delone::voronoi {
