@@ -19,7 +19,7 @@ namespace {
 /// before, but each copy of the points once.
 TEST(GhostTriangulation, AsksEachCopyOnce) {
   constexpr double turn[3][3] = {{0.6, 0, 0.8}, {0.48, 0.8, -0.36}, {-0.64, 0.6, 0.48}};
-  std::vector<double> points = test::random_fractions(100, 3);
+  std::vector<double> points = test::random_fractions(300, 3);
   for (std::size_t i = 0; i < points.size(); i += 3) {
     const double x = points[i], y = points[i + 1], z = i % 2 == 0 ? 0 : 0.2;
     for (std::size_t j = 0; j < 3; ++j) points[i + j] = x * turn[0][j] + y * turn[1][j] + z * turn[2][j];
