@@ -384,7 +384,8 @@ TEST(SiteCells, FewPointsHaveFewVertices) {
                                       {.faces = CellFaces::proper, .vertices = true, .box = Box{{0.5}, {1}}});
   EXPECT_EQ(in_box.vertex_offsets, (std::vector<std::int64_t>{0, 0, 2}));
   EXPECT_EQ(in_box.vertices, (std::vector<double>{0.5, 1}));
-  EXPECT_EQ(in_box.face_vertices, (std::vector<SignedIndex>{0, 1}));
+  EXPECT_EQ(in_box.neighbors, (std::vector<SignedIndex>{-1, -1}));  // the lower wall is the bisector, too
+  EXPECT_EQ(in_box.face_vertices, (std::vector<SignedIndex>{1, 0}));
 }
 
 /// The faces of the cells of crystals, and their edges.
