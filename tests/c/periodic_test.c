@@ -46,7 +46,7 @@ static void test_one_point(void) {
 
 static void test_changed_neighbors(void) {
   static const double before[2] = {0, 0.5}, after[2] = {0, 0.25}, lattice[1] = {1};
-  static const double square[8] = {0, 0, 4, 0, 4, 4, 0, 5}, to[2] = {0, 2}, line[3] = {0, 1, 2};
+  static const double corners[8] = {0, 0, 4, 0, 4, 4, 0, 5}, to[2] = {0, 2}, in_row[3] = {0, 1, 2};
   const int64_t last = 3;
   delone_object *t, *u, *changes;
   delone_array array;
@@ -61,7 +61,7 @@ static void test_changed_neighbors(void) {
   OK(delone_periodic_delaunay(before, 1, 1, lattice, 1, NULL, &u));
   FAILS(DELONE_BAD_DIMENSION, delone_changed_neighbors(t, u, NULL, &changes));
   delone_free(u);
-  OK(delone_delaunay(square, 4, 2, NULL, &u));
+  OK(delone_delaunay(corners, 4, 2, NULL, &u));
   FAILS(DELONE_INVALID_ARGUMENT, delone_changed_neighbors(t, u, NULL, &changes));
   delone_free(t);
   OK(delone_clone(u, &t));
@@ -76,7 +76,7 @@ static void test_changed_neighbors(void) {
   delone_free(changes);
   delone_free(t);
   delone_free(u);
-  OK(delone_delaunay(line, 3, 1, NULL, &t));
+  OK(delone_delaunay(in_row, 3, 1, NULL, &t));
   OK(delone_changed_neighbors(t, t, NULL, &changes));
   array = get_array(changes, "began");
   CHECK(array.shape[0] == 0);
