@@ -81,6 +81,8 @@ constexpr std::array integers{
         "oriented", [](delone_options& o, std::int64_t v) { o.check.oriented = as_bool("oriented", v); }},
     Setter<std::int64_t>{"proper_faces", [](delone_options& o,
                                             std::int64_t v) { o.proper_faces = as_bool("proper_faces", v); }},
+    Setter<std::int64_t>{"vertices",
+                         [](delone_options& o, std::int64_t v) { o.vertices = as_bool("vertices", v); }},
     Setter<std::int64_t>{
         "furthest_site",
         [](delone_options& o, std::int64_t v) { o.check.furthest_site = as_bool("furthest_site", v); }},

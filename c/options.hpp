@@ -24,7 +24,7 @@ struct delone_options {
   delone::Options build;  // seed and order
   delone::Outside outside = delone::Outside::fill;
   double fill = std::numeric_limits<double>::quiet_NaN();
-  bool proper_faces = false;  // of cells of sites
+  bool proper_faces = false, vertices = false;  // of cells of sites
   delone::PeriodicOptions periodic;
   delone::CheckOptions check;
   delone::ReadOptions read;    // format, columns, max_stream_bytes

@@ -25,7 +25,8 @@ int delone_site_cells(const delone_object* triangulation, const double* low, con
                                                      : as_made(triangulation).triangulation().dimension());
     SiteCellsOptions wanted{
         .faces = given(options).proper_faces ? CellFaces::proper : CellFaces::triangulated,
-        .neighbors = true};
+        .neighbors = true,
+        .vertices = given(options).vertices};
     if (low != nullptr || high != nullptr) {
       const std::span<const double> from = matrix(low, d, 1, "low"), to = matrix(high, d, 1, "high");
       wanted.box = Box{{from.begin(), from.end()}, {to.begin(), to.end()}};
@@ -47,6 +48,12 @@ int delone_site_cells(const delone_object* triangulation, const double* low, con
     result->add("distances", std::move(cells.distances));
     result->add("num_edges", std::move(cells.num_edges));
     if (periodic != nullptr) result->add("neighbor_lattice", std::move(cells.neighbor_lattice), cells.rank);
+    if (wanted.vertices) {
+      result->add("vertex_offsets", std::move(cells.vertex_offsets));
+      result->add("vertices", std::move(cells.vertices), cells.dimension);
+      result->add("face_vertex_offsets", std::move(cells.face_vertex_offsets));
+      result->add("face_vertices", std::move(cells.face_vertices));
+    }
     return result;
   });
 }

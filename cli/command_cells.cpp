@@ -207,8 +207,7 @@ Run add_cells(CLI::App& app) {
   app.add_flag("--neighbors", options->neighbors,
                "Also list neighbors, areas of faces and distances, in an output as npz");
   app.add_flag("--vertices", options->vertices,
-               "Also list neighbors, the vertices of cells and, in order, of faces, in an output as npz")
-      ->excludes("--box");
+               "Also list neighbors, the vertices of cells and, in order, of faces, in an output as npz");
   app.add_flag("--proper-faces", options->proper,
                "Count only faces with an area, decided exactly, where many points have one empty sphere");
   add_threads(app, options->build.threads);

@@ -193,23 +193,31 @@ void add_seed(CLI::App& command, std::uint64_t& seed, const std::string& descrip
   command.add_option("-s,--seed", seed, description)->check(CLI::Validator(a_seed, ""))->type_name("S");
 }
 
-PointTable PointInput::read(unsigned threads) const {
+namespace {
+
+/// `tells_of_none`: whether a note says so where no row was left out.
+PointTable read_table(const PointInput& from, unsigned threads, bool tells_of_none) {
+  const ReadOptions& options = from.options;
   try {
     PointTable table =
-        about(input_name(path), [&] { return read_points(path, options, {.threads = threads}); });
-    if (options.skip_missing)
-      print_note(fmt::format("delone: {}: {} with missing values left out{}{}\n", input_name(path),
+        about(input_name(from.path), [&] { return read_points(from.path, options, {.threads = threads}); });
+    if (options.skip_missing && (tells_of_none || !table.skipped_rows.empty()))
+      print_note(fmt::format("delone: {}: {} with missing values left out{}{}\n", input_name(from.path),
                              counted(table.skipped_rows.size(), "row"),
                              table.skipped_rows.empty() ? "" : ": ", listed(table.skipped_rows)));
     return table;
   } catch (const Error& e) {
-    std::string message = in_command_words(e.what(), format_option, columns_option);
+    std::string message = in_command_words(e.what(), from.format_option, from.columns_option);
     const bool has_no_format = e.code() == Errc::unsupported && options.format.empty();
-    if (has_no_format && !format_option.empty() && message.find("; available: ") != std::string::npos)
-      message += fmt::format("; name it with {}", format_option);
+    if (has_no_format && !from.format_option.empty() && message.find("; available: ") != std::string::npos)
+      message += fmt::format("; name it with {}", from.format_option);
     throw Error(e.code(), message, e.rows());
   }
 }
+
+}  // namespace
+
+PointTable PointInput::read(unsigned threads) const { return read_table(*this, threads, true); }
 
 PointTable PointInput::read_beside(const std::string& other_path, unsigned threads) const {
   PointInput other;
@@ -217,7 +225,7 @@ PointTable PointInput::read_beside(const std::string& other_path, unsigned threa
   other.options.max_stream_bytes = options.max_stream_bytes;
   other.options.skip_missing = options.skip_missing;
   other.format_option.clear();  // it is that of the points
-  return other.read(threads);
+  return read_table(other, threads, false);
 }
 
 void keep_common_rows(PointTable& points, PointTable& beside) {

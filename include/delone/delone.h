@@ -117,6 +117,7 @@ DELONE_C_API void delone_set_progress(delone_progress progress, void* user_data)
  *   integer  oriented 1         of checks: 0 takes cells as sets, as Qhull and SciPy have them
  *   integer  furthest_site 0    of checks of a "triangulation" whose kind is "": 1 asks for furthest sites
  *   integer  proper_faces 0     of cells of sites: 1 counts only faces with an area
+ *   integer  vertices 0         of cells of sites: 1 lists their vertices and those of each face
  *   real     unit 0             of periodic sets: coordinates are multiples of it; 0: none
  *   integer  exact 0            of periodic sets: 1 refuses coordinates that are not on the grid
  *   integer  wrap 1             of periodic sets: 0 refuses points outside of the box
@@ -232,7 +233,10 @@ DELONE_C_API int delone_set_text(delone_options* options, const char* name, cons
  * "site_cells"          integer dimension; array volumes, centroids, areas, num_faces, an entry for each row
  *                       (infinity and NaN for unbounded cells), neighbor_offsets (int64), neighbors (-1: a wall),
  *                       face_areas, distances, num_edges (in 3 dimensions), neighbor_lattice (int32, of
- *                       periodic sets: r numbers for each neighbor)
+ *                       periodic sets: r numbers for each neighbor); if wanted vertex_offsets (int64), vertices
+ *                       v x d, face_vertex_offsets (int64), face_vertices (numbers in the cell; -1: infinity)
+ * "neighbor_changes"    integer rank (0: not periodic); array began b x 2, ended e x 2; of periodic sets
+ *                       began_offsets b x r, ended_offsets e x r (int32)
  * "report" (of checks)  integer ok level ties; text level_name level_meaning violation (empty if ok is 1)
  *                       not_examined (what the data say without holding a proof; mostly empty);
  *                       array cells, points, vertices, halfspaces (int64): what the violation concerns
@@ -495,10 +499,18 @@ DELONE_C_API int delone_region_volumes(const delone_object* diagram, const doubl
 /* Volumes, centroids, surfaces and neighbors of the cells of the sites of a Delaunay or regular triangulation
  * that was made, without a diagram: "site_cells". low, high: NULL, or the box that cells are clipped to; with
  * it halfspaces, num_halfspaces rows of d + 1 numbers a, c of a x + c <= 0, NULL for none. Options: threads,
- * proper_faces. Errors: INVALID_ARGUMENT, UNSUPPORTED for d > 12, OUT_OF_MEMORY, CANCELLED. */
+ * proper_faces, vertices. Errors: INVALID_ARGUMENT, UNSUPPORTED for d > 12, OUT_OF_MEMORY, CANCELLED. */
 DELONE_C_API int delone_site_cells(const delone_object* triangulation, const double* low, const double* high,
                                    const double* halfspaces, size_t num_halfspaces,
                                    const delone_options* options, delone_object** object);
+
+/* Pairs of rows that an edge joins in one of two triangulations that were made only, both periodic or none:
+ * "neighbor_changes". Each pair once, the smaller row first, sorted; of points in one place the first row
+ * stands for all. Of periodic sets, the offsets say by how many of each lattice vector the second point is
+ * translated. Fast where `after` is an edited clone of `before`. Errors: INVALID_ARGUMENT, BAD_DIMENSION,
+ * UNSUPPORTED if offsets do not fit into 32 bits, OUT_OF_MEMORY. */
+DELONE_C_API int delone_changed_neighbors(const delone_object* before, const delone_object* after,
+                                          const delone_options* options, delone_object** object);
 
 /* The sign of the orientation of d+1 points of R^d, exactly: 1 positive, -1 negative, 0 if they are in a
  * hyperplane. */

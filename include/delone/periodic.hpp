@@ -190,7 +190,11 @@ class PeriodicRegular : public PeriodicTriangulation {
       : PeriodicTriangulation(coordinates_of(points, lattice), weights, true, lattice,
                               D == dynamic ? lattice.dimension : D, how, options) {}
 
-  /// As PeriodicDelaunay::moved(), with a weight for each point.
+  /// As PeriodicDelaunay::moved(). Points keep their weights, unless others are given, one for each.
+  PeriodicRegular moved(const AnyPoints<D>& to) const { return moved(to, weights()); }
+  PeriodicRegular moved(const AnyPoints<D>& to, const Lattice& lattice) const {
+    return moved(to, weights(), lattice);
+  }
   PeriodicRegular moved(const AnyPoints<D>& to, std::span<const double> weights) const {
     return {*this, to, weights, nullptr};
   }

@@ -177,6 +177,10 @@ class DELONE_EXPORT PeriodicNaturalNeighborInterpolator {
   /// The values at q queries as q×columns numbers. Throws as PeriodicLinearInterpolator::evaluate().
   void evaluate(std::span<const double> queries, std::span<double> result,
                 const EvaluateOptions& options = {}, const Execution& how = {}) const;
+  /// The gradients, q×columns×d numbers, as NaturalNeighborInterpolator::gradients(): at a point, where the
+  /// function has none, one that is estimated from its neighbors. Throws as evaluate().
+  void gradients(std::span<const double> queries, std::span<double> result,
+                 const EvaluateOptions& options = {}, const Execution& how = {}) const;
 
  private:
   const PeriodicTriangulation& triangulation_;

@@ -35,8 +35,7 @@ struct SiteCellsOptions {
   CellFaces faces = CellFaces::triangulated;
   /// Whether neighbors, areas of faces and distances are listed.
   bool neighbors = false;
-  /// Whether vertices are listed, and those of each face in order. Neighbors are listed as well. Not in a
-  /// box.
+  /// Whether vertices are listed, and those of each face in order. Neighbors are listed as well.
   bool vertices = false;
   /// Cells are clipped to this box.
   std::optional<Box> box = std::nullopt;
@@ -73,15 +72,17 @@ struct DELONE_EXPORT_TYPE SiteCells {
   /// If vertices are wanted: those of the cell of row i are vertex_offsets[i] … vertex_offsets[i+1]−1, in
   /// lexicographic order of their coordinates. There is one for each finite cell of the triangulation at the
   /// site; with proper faces, one for each empty sphere. It is the center of the sphere, correctly rounded,
-  /// as in Diagram. Of a periodic set, vertices lie around the point where it was given, so that cells across
-  /// the border are whole.
+  /// as in Diagram. A cell that a box or halfspaces cut has one for each set of d faces that meet; with
+  /// proper faces, one for each point where they do. It is correctly rounded as well, so a vertex is the same
+  /// to the last bit in all cells that have it. Of a periodic set, vertices lie around the point where it was
+  /// given, so that cells across the border are whole.
   std::vector<std::int64_t> vertex_offsets;
   std::vector<double> vertices;  ///< d coordinates each
   /// The vertices of face i, an entry of `neighbors`, are entries face_vertex_offsets[i] …
   /// face_vertex_offsets[i+1]−1 of face_vertices: numbers from 0 on among the vertices of its cell, and −1
   /// for infinity, where an unbounded face has its two rays (k = 2: its one).
-  ///   k = 3: in order around the face, counterclockwise seen from the neighbor, from −1 or the least on;
-  ///          there are num_edges[i].
+  ///   k = 3: in order around the face, counterclockwise seen from the neighbor or from beyond the wall, from
+  ///          −1 or the least on; there are num_edges[i].
   ///   k = 2: its two ends; counterclockwise around the site, −1 for a ray.
   ///   else:  increasing.
   /// In a flat, counterclockwise is meant of the coordinates along Triangulation::axes().
@@ -103,7 +104,7 @@ struct DELONE_EXPORT_TYPE SiteCells {
 /// No result depends on the number of threads or the order of insertion, to the last bit. Cost: time and
 /// memory O(m·2^k·k²) and O(output) for m cells of the triangulation, and what cells outside of the box cost.
 /// Throws Errc::invalid_argument (a furthest-site triangulation; a box or halfspaces as described for
-/// Diagram::clipped_regions(), halfspaces without a box), unsupported (k > 12, vertices in a box), cancelled,
+/// Diagram::clipped_regions(), halfspaces without a box), unsupported (k > 12), cancelled,
 /// out_of_memory.
 DELONE_EXPORT SiteCells site_cells(const Triangulation& triangulation, const SiteCellsOptions& options = {},
                                    const Execution& how = {});

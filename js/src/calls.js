@@ -172,7 +172,7 @@ const setters = {
 };
 const types = {
   seed: "integer", order: "text", timeLimit: "real", tolerance: "real", axisTolerances: "reals", outside: "text",
-  fill: "real", upTo: "integer", canonical: "integer", oriented: "integer", furthestSite: "integer", properFaces: "integer",
+  fill: "real", upTo: "integer", canonical: "integer", oriented: "integer", furthestSite: "integer", properFaces: "integer", vertices: "integer",
   format: "text", columns: "text", skipMissing: "integer",
 };
 

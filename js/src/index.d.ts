@@ -158,7 +158,7 @@ declare class PointTriangulation extends Triangulation {
   linearInterpolator(values: Numbers): Interpolator;
   trim(tolerance: number): TrimmedTriangulation;
   /** The regions of the Voronoi or power diagram, measured without a diagram. */
-  siteCells(options?: CallOptions & { low?: Numbers; high?: Numbers; halfspaces?: Rows; properFaces?: boolean }): SiteCells;
+  siteCells(options?: CallOptions & { low?: Numbers; high?: Numbers; halfspaces?: Rows; properFaces?: boolean; vertices?: boolean }): SiteCells;
 }
 export class Delaunay extends PointTriangulation {
   constructor(points: Rows, dimension?: number, options?: ConstructionOptions);
@@ -185,6 +185,10 @@ export class SiteCells extends DeloneObject {
   readonly neighbors: Int32Array;
   readonly faceAreas: Float64Array;
   readonly distances: Float64Array;
+  readonly vertexOffsets: Float64Array;
+  readonly vertices: Float64Array;
+  readonly faceVertexOffsets: Float64Array;
+  readonly faceVertices: Int32Array;
 }
 
 export class Interpolator extends DeloneObject {

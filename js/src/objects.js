@@ -274,7 +274,7 @@ class PointTriangulation extends Triangulation {
   }
   siteCells({ low, high, halfspaces = [], ...options } = {}) {
     const rows = matrix(halfspaces, this.dimension + 1, "halfspaces");
-    return withOptions(options, ["properFaces"], (pointer, progress, memory) => {
+    return withOptions(options, ["properFaces", "vertices"], (pointer, progress, memory) => {
       const place = memory.doubles(rows.numbers);
       const box = [low, high].map((corner) => (corner === undefined ? 0 : memory.doubles(exactly(this.dimension, corner, "a corner of the box"))));
       return adopt(SiteCells, made((result) => module._delone_site_cells(pointerOf(this), ...box, place, rows.count, pointer, result), progress));

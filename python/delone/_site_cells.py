@@ -40,13 +40,14 @@ class SiteCells:
         The cell of row i has the vertices ``vertices[vertex_offsets[i]:vertex_offsets[i+1]]``. None, as all below, unless vertices are wanted.
     vertices : (v, d) ndarray of float64, optional
         The vertices of each cell: one for each finite cell of the triangulation at the site, so some may coincide; with proper faces, one for
-        each empty sphere. They are the centers of the spheres, correctly rounded. Of a periodic set, they lie around the point where it was
-        given, so that cells across the border are whole.
+        each empty sphere. They are the centers of the spheres, correctly rounded. A cell that a box or halfspaces cut has one, rounded as well,
+        for each set of d faces that meet; with proper faces, one for each point where they do. Of a periodic set, they lie around the point
+        where it was given, so that cells across the border are whole.
     face_vertex_offsets : (f+1,) ndarray of int64, optional
         Face i, that to ``neighbors[i]``, has the vertices ``face_vertices[face_vertex_offsets[i]:face_vertex_offsets[i+1]]``.
     face_vertices : ndarray of int, optional
         Numbers, from 0 on, among the vertices of the cell; -1 stands for infinity, where an unbounded face has its rays. Cells of three
-        dimensions: in order around the face, counterclockwise seen from the neighbor, from -1 or the least number on. Of two: both ends of the
+        dimensions: in order around the face, counterclockwise seen from the neighbor or from beyond the wall, from -1 or the least number on. Of two: both ends of the
         edge, counterclockwise around the site. Otherwise they increase. In a flat, counterclockwise is meant of the coordinates along
         `Delaunay.axes`.
 
@@ -159,7 +160,7 @@ def site_cells(self, *, neighbors=False, vertices=False, faces="triangulated", b
     neighbors : bool, optional
         Whether to list neighbors, areas of faces and distances.
     vertices : bool, optional
-        Whether to list vertices, and those of each face in order. Neighbors are listed as well. Not with a box.
+        Whether to list vertices, and those of each face in order. Neighbors are listed as well.
     faces : {"triangulated", "proper"}, optional
         Which faces count. "triangulated": one for each edge of the triangulation at the site. Where more than d+1 points have one empty
         sphere, some have no area; which ones, the triangulation says. "proper": those with an area, decided exactly.
@@ -180,7 +181,7 @@ def site_cells(self, *, neighbors=False, vertices=False, faces="triangulated", b
     ValueError
         If an argument has another shape, or `faces` another value.
     Error
-        If d is larger than 12, or vertices of cells in a box are wanted.
+        If d is larger than 12.
 
     See Also
     --------

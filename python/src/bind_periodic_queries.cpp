@@ -142,6 +142,7 @@ void bind_periodic_queries(py::module_& module) {
   bind_periodic_function<Linear>(module, "PeriodicLinearInterpolator", docs::periodic::linear)
       .def("gradient", &Linear::gradient, "queries"_a, text(docs::periodic::gradient));
   bind_periodic_function<Natural>(module, "PeriodicNaturalNeighborInterpolator", docs::periodic::natural)
+      .def("gradient", &Natural::gradient, "queries"_a, text(docs::periodic::natural_gradient))
       .def("natural_neighbors", &Natural::natural_neighbors, "queries"_a,
            text(docs::periodic::natural_neighbors));
 }

@@ -523,6 +523,35 @@ Examples
 >>> delone.PeriodicLinearInterpolator(t, [0.0, 1.0]).gradient([[0.25], [0.75]])
 array([[ 2.],
        [-2.]]))";
+inline constexpr const char* natural_gradient = R"(
+The gradients at queries.
+
+Parameters
+----------
+queries : (..., d) array_like
+    The queries, finite numbers, anywhere.
+
+Returns
+-------
+(..., ..., d) ndarray of float64 or complex128
+    The shape of the queries followed by that of one value and d. At a point, where the function has no gradient, it is one that is
+    estimated from the neighbors, as by `NaturalNeighborInterpolator.gradient`.
+
+Raises
+------
+InputError
+    As for calls.
+ValueError
+    If the queries have another shape.
+
+Examples
+--------
+>>> import delone
+>>> t = delone.PeriodicDelaunay([[0.0], [0.5]], 1.0)
+>>> delone.PeriodicNaturalNeighborInterpolator(t, [0.0, 1.0]).gradient([[0.25], [0.75], [0.5]])
+array([[ 2.],
+       [-2.],
+       [ 0.]]))";
 inline constexpr const char* natural_neighbors = R"(
 The natural neighbors of each query and their Sibson coordinates.
 

@@ -3,30 +3,29 @@
 
 #include "base/length.hpp"
 #include "kernel/determinant.hpp"
-#include "particles/cell_centers.hpp"
+#include "kernel/fractions.hpp"
 
 #include <delone/error.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <utility>
 
 namespace delone::particles {
-namespace {
-
-/// x is the point nearest to a center. Coordinates of the box are doubles, so rounding does not move a
+/// Coordinates of the box are doubles, so rounding does not move a
 /// coordinate across them. Centers on a wall are not inside, as a whole face may lie there, and is part of
-/// the wall. A value of a halfspace is off by d·u for its products and sums, and u for x.
-bool is_inside(const double* x, std::size_t d, const Container& container) {
+/// the wall. A value of a halfspace is off by d·u for its products and sums, and u for the center.
+bool is_inside(const double* center, std::size_t d, const Container& container) {
   for (std::size_t j = 0; j < d; ++j)
-    if (!(x[j] > container.box.low[j] && x[j] < container.box.high[j])) return false;
+    if (!(center[j] > container.box.low[j] && center[j] < container.box.high[j])) return false;
   for (std::size_t i = 0; i < container.halfspaces.size(); i += d + 1) {
     const double* const row = container.halfspaces.data() + i;
     double value = row[d], size = std::abs(row[d]);
     for (std::size_t j = 0; j < d; ++j) {
-      value += row[j] * x[j];
-      size += std::abs(row[j] * x[j]);
+      value += row[j] * center[j];
+      size += std::abs(row[j] * center[j]);
     }
     constexpr double underflow = 1e-300;
     if (!(value < -1.01 * static_cast<double>(d + 2) * kernel::unit_roundoff * size - underflow))
@@ -34,8 +33,6 @@ bool is_inside(const double* x, std::size_t d, const Container& container) {
   }
   return true;
 }
-
-}  // namespace
 
 void check_container(const Container& container, int dimension) {
   const auto d = static_cast<std::size_t>(dimension);
@@ -60,24 +57,10 @@ void check_container(const Container& container, int dimension) {
                 "clipping to a box is available up to dimension " + std::to_string(largest_dimension));
 }
 
-std::vector<unsigned char> centers_inside(const Triangulation& triangulation,
-                                          const sites::VertexPoints& points, const Container& container,
-                                          unsigned threads) {
-  const auto d = static_cast<std::size_t>(triangulation.dimension());
-  std::vector<unsigned char> inside(triangulation.complex().num_cell_slots(), 0);
-  for_each_center(
-      triangulation, points, [](CellId) { return true; },
-      [&](CellId cell, const double* center) {
-        inside[index(cell)] = is_inside(center, d, container) ? 1 : 0;
-      },
-      threads);
-  return inside;
-}
-
 CellClipper::CellClipper(const sites::VertexPoints& points, const Container& container)
     : points_(points), container_(container), clipper_(container.box, false, container.halfspaces) {}
 
-void CellClipper::clip(Index v, std::span<const Index> neighbors, bool proper) {
+void CellClipper::clip(Index v, std::span<const Index> neighbors, bool proper, bool with_vertices) {
   const auto d = static_cast<std::size_t>(points_.ambient);
   const auto site_of = [&](Index w) {
     const double* const p = points_.point(w);
@@ -88,22 +71,62 @@ void CellClipper::clip(Index v, std::span<const Index> neighbors, bool proper) {
   clipper_.clip(site_of(v), others_);
   measures_ = clipper_.measures();
   faces_.clear();
-  const auto add = [&](std::size_t of_facet, double area, std::size_t num_corners) {
-    const std::size_t plane = clipper_.fixed_plane_of(of_facet);
-    const bool is_wall = plane < clipper_.num_fixed_planes();
-    faces_.push_back({is_wall ? ClippedFace::wall : clipper_.other_of(plane), area,
-                      distance_of(plane, v, neighbors), num_corners});
-  };
-  if (!proper) {
-    for (const auto& facet : measures_.facets) add(facet.label, facet.volume, facet.num_corners);
+  vertices_.clear();
+  if (!clipper_.has_interior(measures_.centroid)) {
+    measures_ = {};
     return;
   }
-  for (const auto& [plane, num_corners] : clipper_.proper_facets()) {
-    const auto facet = std::find_if(measures_.facets.begin(), measures_.facets.end(),
-                                    [plane = plane](const auto& one) { return one.label == plane; });
-    // Measures lack a facet whose corners are one point after rounding.
-    add(plane, facet == measures_.facets.end() ? 0 : facet->volume, num_corners);
+  std::vector<Index> number;
+  if (proper) {
+    number = clipper_.exact_numbers();
+  } else {
+    number.resize(clipper_.corners().back() + 1);
+    std::iota(number.begin(), number.end(), Index{0});
   }
+  if (with_vertices) list_vertices(number);
+  for (const auto& [of_facet, corners] : clipper_.facets(number, proper)) {
+    const auto measured =
+        std::find_if(measures_.facets.begin(), measures_.facets.end(),
+                     [plane = of_facet](const auto& facet) { return facet.label == plane; });
+    const std::size_t plane = clipper_.fixed_plane_of(of_facet);
+    const bool is_wall = plane < clipper_.num_fixed_planes();
+    ClippedFace& face = faces_.emplace_back(
+        ClippedFace{is_wall ? ClippedFace::wall : clipper_.other_of(plane),
+                    // Measures lack facets if all corners of the cell are one point after rounding.
+                    measured == measures_.facets.end() ? 0 : measured->volume,
+                    distance_of(plane, v, neighbors),
+                    corners.size(),
+                    {}});
+    if (!with_vertices) continue;
+    const std::vector<Index> in_order = d == 2 || d == 3 ? clipper_.ordered_facet(of_facet, number) : corners;
+    face.vertices.assign(in_order.begin(), in_order.end());
+    if (d == 3) std::ranges::rotate(face.vertices, std::ranges::min_element(face.vertices));
+  }
+}
+
+void CellClipper::list_vertices(std::vector<Index>& number) {
+  const auto d = static_cast<std::size_t>(points_.ambient);
+  struct Vertex {
+    std::vector<double> at;
+    Index number;
+  };
+  std::vector<Vertex> vertices;
+  std::vector<unsigned char> is_known(number.size(), 0);
+  for (const auto corner : clipper_.corners()) {
+    if (std::exchange(is_known[number[corner]], 1) != 0) continue;
+    const auto exact = clipper_.exact_corner(corner);
+    Vertex& vertex = vertices.emplace_back(Vertex{{}, number[corner]});
+    for (std::size_t j = 0; j < d; ++j)
+      vertex.at.push_back(kernel::nearest_double(exact.at.numerators[j], exact.at.denominator, exact.grid));
+  }
+  std::ranges::stable_sort(vertices, {}, &Vertex::at);
+  std::vector<Index> place(number.size(), invalid_index);
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    place[vertices[i].number] = static_cast<Index>(i);
+    vertices_.insert(vertices_.end(), vertices[i].at.begin(), vertices[i].at.end());
+  }
+  for (Index& of_corner : number)
+    if (of_corner < place.size()) of_corner = place[of_corner];
 }
 
 double CellClipper::distance_of(std::size_t plane, Index v, std::span<const Index> neighbors) const {

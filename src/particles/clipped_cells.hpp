@@ -21,11 +21,9 @@ struct Container {
   std::span<const double> halfspaces;
 };
 
-/// By id of a cell of the triangulation: 1 if its center is certain to lie inside. REQUIRES cells of full
-/// dimension.
-std::vector<unsigned char> centers_inside(const Triangulation& triangulation,
-                                          const sites::VertexPoints& points, const Container& container,
-                                          unsigned threads);
+/// Whether the center of a cell of the triangulation, rounded to the nearest doubles, is certain to lie
+/// inside.
+bool is_inside(const double* center, std::size_t d, const Container& container);
 
 /// One side of a clipped cell.
 struct ClippedFace {
@@ -33,6 +31,7 @@ struct ClippedFace {
   std::size_t neighbor;   ///< a place in the list of neighbors, or `wall`
   double area, distance;  ///< to the neighbor's site, or to the wall
   std::size_t num_corners;
+  std::vector<SignedIndex> vertices;  ///< as in SiteCells::face_vertices
 };
 
 class CellClipper {
@@ -40,14 +39,19 @@ class CellClipper {
   CellClipper(const sites::VertexPoints& points, const Container& container);
 
   /// The cell of a vertex among those of its neighbors. `proper`: only faces of full dimension, decided
-  /// exactly.
-  void clip(Index v, std::span<const Index> neighbors, bool proper);
+  /// exactly. `with_vertices`: whether vertices are listed. A cell without interior has no volume and no
+  /// faces.
+  void clip(Index v, std::span<const Index> neighbors, bool proper, bool with_vertices);
   double volume() const { return measures_.volume; }
   /// The centroid less the site; empty if there is no volume.
   std::span<const double> offset() const { return measures_.centroid; }
   std::span<const ClippedFace> faces() const { return faces_; }
+  /// d coordinates each, correctly rounded, in lexicographic order.
+  std::span<const double> vertices() const { return vertices_; }
 
  private:
+  /// Makes the vertices, one for each number of corners, and replaces these numbers by theirs.
+  void list_vertices(std::vector<Index>& number);
   double distance_of(std::size_t plane, Index v, std::span<const Index> neighbors) const;
 
   const sites::VertexPoints& points_;
@@ -56,6 +60,7 @@ class CellClipper {
   std::vector<voronoi::RegionClipper::Site> others_;
   solve::SimplePolytope::Measures measures_;
   std::vector<ClippedFace> faces_;
+  std::vector<double> vertices_;
 };
 
 /// Throws Errc::invalid_argument unless box and halfspaces are d finite numbers low < high, and rows of d + 1

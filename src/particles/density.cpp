@@ -109,10 +109,10 @@ class Places {
   std::size_t samples_, d_;
 };
 
-/// `evaluate(places, values)`: sets the values at places.
-template <class Evaluate>
-std::vector<double> means_on_grid(std::size_t d, const DensityGrid& grid, std::size_t samples,
-                                  const Execution& how, const Evaluate& evaluate) {
+/// Of a function that is 0 outside.
+template <class Function>
+std::vector<double> means_on_grid(std::size_t d, const Function& function, const DensityGrid& grid,
+                                  std::size_t samples, const Execution& how) {
   const std::size_t size = checked_size(grid, d);
   if (samples == 0) throw Error(Errc::invalid_argument, "a part of a grid has at least one sample");
   std::size_t in_part = 1;
@@ -122,6 +122,7 @@ std::vector<double> means_on_grid(std::size_t d, const DensityGrid& grid, std::s
     in_part *= samples;
   }
   const internal::ProgressMeter watch(how.progress);
+  const double nothing[] = {0.0};
   std::vector<double> result(size), places, values;
   const std::size_t block = std::max<std::size_t>(1, (std::size_t{1} << 18) / in_part);
   internal::ProgressMeter meter(how.progress, size);
@@ -131,7 +132,7 @@ std::vector<double> means_on_grid(std::size_t d, const DensityGrid& grid, std::s
     places.clear();
     for (std::size_t part = first; part < last; ++part) all.append(part, places);
     values.assign((last - first) * in_part, 0.0);
-    evaluate(places, values);
+    function.evaluate(places, values, {.fill = nothing}, {.threads = how.threads});
     for (std::size_t part = first; part < last; ++part) {
       double sum = 0;
       for (std::size_t i = 0; i < in_part; ++i) sum += values[(part - first) * in_part + i];
@@ -197,12 +198,8 @@ std::vector<double> density_on_grid(const Triangulation& triangulation, std::spa
                                     const DensityGrid& grid, std::size_t samples, const Execution& how) {
   return internal::guarded("the grid", [&] {
     const LinearInterpolator function(triangulation, densities);
-    const double nothing[] = {0.0};
-    return particles::means_on_grid(static_cast<std::size_t>(triangulation.dimension()), grid, samples, how,
-                                    [&](std::span<const double> places, std::span<double> values) {
-                                      function.evaluate(places, values, {.fill = nothing},
-                                                        {.threads = how.threads});
-                                    });
+    return particles::means_on_grid(static_cast<std::size_t>(triangulation.dimension()), function, grid,
+                                    samples, how);
   });
 }
 
@@ -211,12 +208,8 @@ std::vector<double> density_on_grid(const PeriodicTriangulation& triangulation,
                                     std::size_t samples, const Execution& how) {
   return internal::guarded("the grid", [&] {
     const PeriodicLinearInterpolator function(triangulation, densities, 1, {.threads = how.threads});
-    const double nothing[] = {0.0};
-    return particles::means_on_grid(static_cast<std::size_t>(triangulation.dimension()), grid, samples, how,
-                                    [&](std::span<const double> places, std::span<double> values) {
-                                      function.evaluate(places, values, {.fill = nothing},
-                                                        {.threads = how.threads});
-                                    });
+    return particles::means_on_grid(static_cast<std::size_t>(triangulation.dimension()), function, grid,
+                                    samples, how);
   });
 }
 

@@ -169,8 +169,7 @@ void SiteCellsMaker::measure() {
     const std::vector<int> axes = triangulation_.axes();
     classes_.emplace(stars, points_, kernel::Flat{points_.ambient, axes, points_.form}, threads_);
   }
-  if (options_.vertices) find_centers(stars);
-  if (container_ && k_ == d_) inside_ = centers_inside(triangulation_, points_, *container_, threads_);
+  find_centers(stars);
   lists_.resize((slots + vertices_in_part - 1) / vertices_in_part);
   internal::work_in_parts(threads_, slots, vertices_in_part, [&] {
     return [&, worker = Worker(*this, stars)](std::size_t first, std::size_t last,
@@ -185,11 +184,17 @@ void SiteCellsMaker::measure() {
   });
 }
 
+/// As far as they are wanted. In a flat with a box all cells are clipped.
 void SiteCellsMaker::find_centers(const Stars& stars) {
-  centers_.resize(complex_.num_cell_slots() * d_);
+  if (container_ ? k_ < d_ : !options_.vertices) return;
+  if (options_.vertices) centers_.resize(complex_.num_cell_slots() * d_);
+  if (container_) inside_.resize(complex_.num_cell_slots());
   for_each_center(
       triangulation_, points_, [&](CellId cell) { return stars.has(cell); },
-      [&](CellId cell, const double* center) { std::copy_n(center, d_, centers_.data() + index(cell) * d_); },
+      [&](CellId cell, const double* center) {
+        if (options_.vertices) std::copy_n(center, d_, centers_.data() + index(cell) * d_);
+        if (container_) inside_[index(cell)] = particles::is_inside(center, d_, *container_) ? 1 : 0;
+      },
       threads_);
 }
 
@@ -281,7 +286,7 @@ void SiteCellsMaker::list_neighbors(Worker& worker, NeighborLists& lists) {
 void SiteCellsMaker::clip(Index v, std::span<const Index> neighbors, CellClipper& clipper, Order& order,
                           NeighborLists& lists) {
   const std::size_t row = row_of_vertex_[v];
-  clipper.clip(v, neighbors, are_proper());
+  clipper.clip(v, neighbors, are_proper(), options_.vertices);
   cells_.volumes[row] = clipper.volume();
   set_centroid(row, v, clipper.offset());
   const std::span<const ClippedFace> faces = clipper.faces();
@@ -298,10 +303,17 @@ void SiteCellsMaker::clip(Index v, std::span<const Index> neighbors, CellClipper
   if (!has_lists()) return;
   std::sort(order.begin(), order.end());
   lists.begin(row, order.size());
+  if (options_.vertices) {
+    lists.num_vertices.push_back(static_cast<std::uint32_t>(clipper.vertices().size() / d_));
+    lists.vertices.insert(lists.vertices.end(), clipper.vertices().begin(), clipper.vertices().end());
+  }
   for (const auto& [other, i] : order) {
     lists.neighbors.push_back({other == invalid_index ? -1 : static_cast<SignedIndex>(other),
                                d_ == 3 ? static_cast<SignedIndex>(faces[i].num_corners) : 0, faces[i].area,
                                faces[i].distance});
+    if (!options_.vertices) continue;
+    lists.face_lengths.push_back(static_cast<std::uint32_t>(faces[i].vertices.size()));
+    lists.face_vertices.insert(lists.face_vertices.end(), faces[i].vertices.begin(), faces[i].vertices.end());
   }
 }
 
@@ -324,9 +336,6 @@ SiteCells site_cells(const Triangulation& triangulation, const SiteCellsOptions&
   if (triangulation.kind() == TriangulationKind::furthest_site)
     throw Error(Errc::invalid_argument, "cells of sites are those of a Delaunay or regular triangulation");
   particles::require_supported(triangulation);
-  if (options.box && options.vertices)
-    throw Error(Errc::unsupported,
-                "vertices of cells are not available with a box; the clipped regions of a diagram have them");
   if (options.box)
     particles::check_container({*options.box, options.halfspaces}, triangulation.dimension());
   else

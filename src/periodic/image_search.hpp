@@ -17,6 +17,7 @@
 #pragma once
 
 #include "base/progress_meter.hpp"
+#include "base/stamped_table.hpp"
 #include "periodic/images.hpp"
 
 #include <algorithm>
@@ -77,6 +78,7 @@ class ImageSearch {
     double part = radius_ <= start || !std::isfinite(radius_) ? 1 : start / radius_;
     FoundImage found;
     pages::Answer best;
+    asked_.clear(1);
     for (;; part = std::min(1.0, 2 * part)) {
       find_range(part);
       for (std::size_t i = 0; i < set_.rank; ++i) at_[i] = of_p_[i] + part * of_step_[i];
@@ -208,6 +210,8 @@ class ImageSearch {
   template <class Exact>
   void ask(const double* p, const double* c, const Exact& is_in_conflict, pages::Answer& best,
            FoundImage& found) {
+    // A copy that a smaller part of the ball has asked has nothing for the whole ball.
+    if (!asked_.insert(images_.shift_number(k_), 0).second) return;
     ask_in_copy(p, is_in_conflict, best, found, [&](const Shift& shift) {
       for (std::size_t j = 0; j < set_.dimension; ++j) moved_c_[j] = c[j] - shift.by[j];
       question_.ask_within_moved_sphere(moved_p_.data(), moved_c_.data(), c);
@@ -257,6 +261,7 @@ class ImageSearch {
   std::vector<std::int32_t> k_, low_, high_;
   std::vector<double> steps_, of_p_, of_step_, at_;  // a_j, p, c − p and the center along e_i
   std::vector<double> beyond_, depth_;               // |b_i| and t, by free directions
+  internal::StampedTable asked_;                     // shifts of this find()
   double radius_ = 0, along_ = 0, gain_ = 0, squared_radius_ = 0, slack_of_distance_ = 0, size_ = 0;
 };
 

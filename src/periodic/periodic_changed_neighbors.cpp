@@ -15,7 +15,6 @@
 #include <cmath>
 #include <compare>
 #include <cstdint>
-#include <iterator>
 #include <map>
 #include <span>
 #include <string>
@@ -51,11 +50,6 @@ class OffsetNumbers {
   std::vector<std::vector<std::int64_t>> offsets_;
 };
 
-void sort_unique(std::vector<Pair>& pairs) {
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-}
-
 class PeriodicNeighborChanges {
  public:
   PeriodicNeighborChanges(const PeriodicTriangulation& before, const PeriodicTriangulation& after)
@@ -76,13 +70,10 @@ class PeriodicNeighborChanges {
     add_all_at_others(before_, set_before_, of_before);
     add_all_at_others(after_, set_after_, of_after);
     for (Pair& pair : of_after) pair = to_before(pair);
-    sort_unique(of_before);
-    sort_unique(of_after);
-    std::vector<Pair> ended, began;
-    std::set_difference(of_before.begin(), of_before.end(), of_after.begin(), of_after.end(),
-                        std::back_inserter(ended));
-    std::set_difference(of_after.begin(), of_after.end(), of_before.begin(), of_before.end(),
-                        std::back_inserter(began));
+    triangulation::sort_unique(of_before);
+    triangulation::sort_unique(of_after);
+    std::vector<Pair> ended = triangulation::difference(of_before, of_after),
+                      began = triangulation::difference(of_after, of_before);
     for (Pair& pair : began) pair = to_after(pair);
     if (after_.comes_from(before_)) {
       const triangulation::ChangedEdges edges = triangulation::find_changed_edges(
@@ -180,15 +171,10 @@ class PeriodicNeighborChanges {
   }
   /// The pairs of all edges at points that are not stable.
   void add_all_at_others(const GhostTriangulation& ghosts, const PeriodicSet& set, std::vector<Pair>& pairs) {
-    const Complex complex = ghosts.triangulation().complex();
-    internal::QuickRounds round;
-    for (Index id = 1; id < complex.num_vertex_slots(); ++id) {
-      const VertexId v{id};
-      if (!complex.is_vertex(v) || !ghosts.is_own(v) || is_stable(ghosts, v)) continue;
-      round();
-      for (const VertexId w : complex.adjacent_vertices(v))
-        if (v < w || !ghosts.is_own(w) || is_stable(ghosts, w)) pairs.push_back(pair_of(ghosts, set, v, w));
-    }
+    triangulation::each_edge_at(
+        ghosts.triangulation().complex(),
+        [&](VertexId v) { return ghosts.is_own(v) && !is_stable(ghosts, v); },
+        [&](VertexId v, VertexId w) { pairs.push_back(pair_of(ghosts, set, v, w)); });
   }
   /// The pairs of edges at points of the box, between stable points and their images.
   void add_between_stable(const std::vector<Edge>& edges, const GhostTriangulation& ghosts,
@@ -213,7 +199,7 @@ class PeriodicNeighborChanges {
     return {pair.i, pair.j, numbers_.number(offset_)};
   }
   void take(std::vector<Pair>& pairs, std::vector<SignedIndex>& rows, std::vector<std::int32_t>& offsets) {
-    sort_unique(pairs);
+    triangulation::sort_unique(pairs);
     std::sort(pairs.begin(), pairs.end(), [&](const Pair& a, const Pair& b) {
       return a.i != b.i   ? a.i < b.i
              : a.j != b.j ? a.j < b.j

@@ -13,30 +13,28 @@
 // coordinates are exact.
 #include "base/guarded.hpp"
 #include "periodic/periodic_point_locator_impl.hpp"
-#include "queries/evaluation.hpp"
 #include "queries/natural_search.hpp"
+#include "queries/site_gradients.hpp"
 
 #include <delone/delaunay.hpp>
 
 #include <algorithm>
 #include <memory>
-#include <numeric>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace delone {
 
 using periodic::Offset;
-using periodic::PeriodicOutside;
+using periodic::PeriodicBatch;
 using periodic::Place;
 using periodic::PlaceVisit;
 using periodic::QueryParts;
 using periodic::Translate;
 using periodic::WrappedQueries;
-using queries::Meter;
 using queries::NaturalCenters;
 using queries::NaturalSearch;
-using queries::require_size;
 
 struct PeriodicNaturalNeighborCoordinates::Impl {
   explicit Impl(const PeriodicTriangulation& t)
@@ -58,37 +56,50 @@ const PeriodicTriangulation& without_weights(const PeriodicTriangulation& t) {
 /// The natural neighbors of one query after the other; each thread has its own.
 class Search {
  public:
-  Search(const QueryParts& parts, const NaturalCenters& centers)
-      : parts_(parts), search_(centers), x_(parts.dimension) {}
+  Search(const QueryParts& parts, const NaturalCenters& centers, bool with_gradients)
+      : parts_(parts), with_gradients_(with_gradients), search_(centers), x_(parts.dimension) {}
 
   struct Neighbor {
     VertexId vertex;  // of the triangulation with ghosts
     Offset by;        // translated by this it is the neighbor
     double weight;
+    std::vector<double> gradient;  // of the weight; empty at a vertex
   };
+  /// In an order that does not depend on where the search began, so that sums do not.
   std::vector<Neighbor> found;
+  bool is_at_vertex = false;
 
   void find(const double* q, const Place& place) {
     found.clear();
+    is_at_vertex = place.kind == Location::Kind::on_vertex;
     if (place.cell < 0) return;
-    if (place.kind == Location::Kind::on_vertex) {
+    if (is_at_vertex) {
       for (std::size_t i = 0; i < parts_.corners; ++i)
         if (place.barycentric[i] > 0)
-          found.push_back({parts_.classes.vertex(place.cell, i), offset_of(place), 1});
+          found.push_back({parts_.classes.vertex(place.cell, i), offset_of(place), 1, {}});
       return;
     }
     x_.assign(q, q + parts_.dimension);
     parts_.subtract(place.offset, x_);
-    search_.find(x_.data(), parts_.classes.cell(place.cell), false);
+    search_.find(x_.data(), parts_.classes.cell(place.cell), with_gradients_);
     if (!is_complete()) {
       find_across(q, place);
-      return;
+    } else {
+      for (std::size_t i = 0; i < search_.vertices.size(); ++i)
+        found.push_back({search_.vertices[i], offset_of(place), search_.weights[i], gradient_of(search_, i)});
     }
-    for (std::size_t i = 0; i < search_.vertices.size(); ++i)
-      found.push_back({search_.vertices[i], offset_of(place), search_.weights[i]});
+    std::ranges::sort(found, [&](const Neighbor& a, const Neighbor& b) {
+      const std::uint32_t of_a = parts_.row_of(a.vertex), of_b = parts_.row_of(b.vertex);
+      return std::tie(of_a, a.weight, a.gradient) < std::tie(of_b, b.weight, b.gradient);
+    });
   }
 
  private:
+  std::vector<double> gradient_of(const NaturalSearch& search, std::size_t i) const {
+    if (!with_gradients_) return {};
+    const auto first = search.gradients.begin() + static_cast<std::ptrdiff_t>(i * parts_.dimension);
+    return {first, first + static_cast<std::ptrdiff_t>(parts_.dimension)};
+  }
   static Offset offset_of(const Place& place) { return {place.offset.begin(), place.offset.end()}; }
 
   bool is_complete() const {
@@ -134,10 +145,10 @@ class Search {
     const NaturalCenters centers(some, false);
     NaturalSearch search(centers);
     const std::span<const double> query(q, parts_.dimension);
-    search.find(q, some.locate(query).cell, false);
+    search.find(q, some.locate(query).cell, with_gradients_);
     for (std::size_t i = 0; i < search.vertices.size(); ++i) {
       const auto& [v, offset] = sites[some.row_of(search.vertices[i])];
-      found.push_back({v, offset, search.weights[i]});
+      found.push_back({v, offset, search.weights[i], gradient_of(search, i)});
     }
   }
 
@@ -149,19 +160,20 @@ class Search {
   }
 
   const QueryParts& parts_;
+  const bool with_gradients_;
   NaturalSearch search_;
   std::vector<double> x_;
 };
 
-/// Calls visit(query, found) for all queries.
+/// Calls visit(query, search) for all queries.
 template <class MakeVisit>
 void each_natural(const QueryParts& parts, const NaturalCenters& centers, const WrappedQueries& queries,
-                  MakeVisit make_visit, unsigned threads) {
+                  bool with_gradients, MakeVisit make_visit, unsigned threads) {
   const auto make = [&]() -> PlaceVisit {
-    const auto search = std::make_shared<Search>(parts, centers);
+    const auto search = std::make_shared<Search>(parts, centers, with_gradients);
     return [&, search, visit = make_visit()](std::size_t query, const Place& place) mutable {
       search->find(queries.points.data() + query * parts.dimension, place);
-      visit(query, search->found);
+      visit(query, *search);
     };
   };
   find_places(parts, queries, false, make, threads);
@@ -195,8 +207,8 @@ PeriodicNaturalNeighbors PeriodicNaturalNeighborCoordinates::find(std::span<cons
     };
     std::vector<std::vector<Named>> lists(queries.size() / parts.dimension);
     const auto make_visit = [&] {
-      return [&](std::size_t query, std::span<const Search::Neighbor> found) {
-        for (const Search::Neighbor& one : found) {
+      return [&](std::size_t query, const Search& search) {
+        for (const Search::Neighbor& one : search.found) {
           std::vector<std::int32_t> offset(parts.rank);
           parts.given_offset(one.vertex, one.by, wrapped.wraps.data() + query * parts.rank, offset.data());
           lists[query].push_back(
@@ -207,7 +219,7 @@ PeriodicNaturalNeighbors PeriodicNaturalNeighborCoordinates::find(std::span<cons
         });
       };
     };
-    each_natural(parts, impl_->centers, wrapped, make_visit, how.threads);
+    each_natural(parts, impl_->centers, wrapped, false, make_visit, how.threads);
     PeriodicNaturalNeighbors result;
     for (const auto& list : lists) {
       for (const Named& one : list) {
@@ -232,40 +244,59 @@ PeriodicNaturalNeighborInterpolator::PeriodicNaturalNeighborInterpolator(
 void PeriodicNaturalNeighborInterpolator::evaluate(std::span<const double> queries, std::span<double> result,
                                                    const EvaluateOptions& options,
                                                    const Execution& how) const {
-  const QueryParts& parts = coordinates_.impl_->parts;
-  const std::size_t count = queries.size() / parts.dimension;
-  require_size(result.size(), count * columns_, "the result");
-  const PeriodicOutside outside(options, columns_);
-  internal::guarded("the queries", [&] {
-    queries::Progress progress(how.progress, count);
-    const WrappedQueries wrapped = parts.wrap(queries, how.threads);
-    std::vector<unsigned char> is_outside(count, 0);
-    const auto make_visit = [&] {
-      return [&, meter = Meter(progress), order = std::vector<std::size_t>()](
-                 std::size_t query, std::span<const Search::Neighbor> found) mutable {
-        meter();
-        const auto at = result.subspan(query * columns_, columns_);
-        if (found.empty()) {
-          outside.refuse(query);
-          is_outside[query] = 1;
-          outside.fill(at);
-          return;
-        }
-        // In an order that does not depend on where the search began, so that sums do not.
-        order.resize(found.size());
-        std::iota(order.begin(), order.end(), std::size_t{0});
-        std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
-          const std::uint32_t of_a = parts.row_of(found[a].vertex), of_b = parts.row_of(found[b].vertex);
-          return of_a != of_b ? of_a < of_b : found[a].weight < found[b].weight;
-        });
-        std::ranges::fill(at, 0.0);
-        for (const std::size_t i : order)
-          for (std::size_t c = 0; c < columns_; ++c)
-            at[c] += found[i].weight * values_[parts.row_of(found[i].vertex) * columns_ + c];
-      };
+  const auto& impl = *coordinates_.impl_;
+  const QueryParts& parts = impl.parts;
+  PeriodicBatch batch(impl.locator, queries, result, columns_, columns_, options);
+  const auto make_visit = [&] {
+    return [&, meter = batch.meter()](std::size_t query, const Search& search) mutable {
+      meter();
+      if (search.found.empty()) return batch.value_outside(query);
+      const std::span<double> at = batch.at(query);
+      std::ranges::fill(at, 0.0);
+      for (const Search::Neighbor& one : search.found)
+        for (std::size_t c = 0; c < columns_; ++c)
+          at[c] += one.weight * values_[parts.row_of(one.vertex) * columns_ + c];
     };
-    each_natural(parts, coordinates_.impl_->centers, wrapped, make_visit, how.threads);
-    outside.finish(coordinates_.impl_->locator, wrapped, is_outside, values_, columns_, result, how.threads);
+  };
+  batch.run(how, [&] {
+    each_natural(parts, impl.centers, batch.wrapped(), false, make_visit, how.threads);
+    batch.take_nearest(values_, how.threads);
+  });
+}
+
+void PeriodicNaturalNeighborInterpolator::gradients(std::span<const double> queries, std::span<double> result,
+                                                    const EvaluateOptions& options,
+                                                    const Execution& how) const {
+  const auto& impl = *coordinates_.impl_;
+  const QueryParts& parts = impl.parts;
+  const std::size_t d = parts.dimension;
+  PeriodicBatch batch(impl.locator, queries, result, columns_ * d, options.fill.size(), options);
+  std::vector<double> by_vertex;
+  const auto make_visit = [&] {
+    return [&, meter = batch.meter()](std::size_t query, const Search& search) mutable {
+      meter();
+      if (search.found.empty()) return batch.gradient_outside(query);
+      const std::span<double> at = batch.at(query);
+      std::ranges::fill(at, 0.0);
+      if (search.is_at_vertex)  // in the box, where a point has all of its neighbors
+        queries::estimate_gradients(impl.centers,
+                                    parts.ghosts.vertex_of_row(parts.row_of(search.found.front().vertex)),
+                                    by_vertex, columns_, at.data());
+      else
+        for (const Search::Neighbor& one : search.found)
+          for (std::size_t c = 0; c < columns_; ++c)
+            for (std::size_t j = 0; j < d; ++j)
+              at[c * d + j] += one.gradient[j] * values_[parts.row_of(one.vertex) * columns_ + c];
+      // From per unit of the set to per unit of the caller.
+      for (double& one : at) one = parts.set.inner(one);
+    };
+  };
+  batch.run(how, [&] {
+    by_vertex.resize(parts.ghosts.num_ids() * columns_);
+    for (const VertexId v : parts.complex.finite_vertices())
+      std::copy_n(values_.begin() + static_cast<std::ptrdiff_t>(parts.row_of(v) * columns_), columns_,
+                  by_vertex.begin() + static_cast<std::ptrdiff_t>(index(v) * columns_));
+    each_natural(parts, impl.centers, batch.wrapped(), true, make_visit, how.threads);
   });
 }
 

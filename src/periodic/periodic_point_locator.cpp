@@ -169,25 +169,65 @@ void PeriodicPointLocator::nearest(std::span<const double> queries, const Period
 
 namespace periodic {
 
-void PeriodicOutside::finish(const PeriodicPointLocator::Impl& locator, const WrappedQueries& queries,
-                             std::span<const unsigned char> is_outside, std::span<const double> values,
-                             std::size_t columns, std::span<double> result, unsigned threads) const {
-  const QueryParts& parts = locator.parts;
+PeriodicBatch::PeriodicBatch(const PeriodicPointLocator::Impl& locator, std::span<const double> queries,
+                             std::span<double> result, std::size_t width, std::size_t columns,
+                             const EvaluateOptions& options)
+    : locator_(locator), queries_(queries), result_(result), width_(width), options_(options) {
+  queries::require_size(result.size(), queries.size() / locator.parts.dimension * width, "the result");
+  if (options.tolerance != 0)
+    throw Error(Errc::unsupported, "interpolation on a periodic triangulation has no tolerance");
+  if (options.outside == Outside::project)
+    throw Error(Errc::unsupported, "queries to a periodic triangulation are not projected to its hull");
+  if (!options.fill.empty()) queries::require_size(options.fill.size(), columns, "the constants outside");
+}
+
+void PeriodicBatch::run(const Execution& how, const std::function<void()>& work) {
+  internal::guarded("the queries", [&] {
+    const std::size_t count = queries_.size() / locator_.parts.dimension;
+    progress_.emplace(how.progress, count);
+    wrapped_ = locator_.parts.wrap(queries_, how.threads);
+    is_outside_.assign(count, 0);
+    work();
+    progress_.reset();
+  });
+}
+
+void PeriodicBatch::refuse(std::size_t query) const {
+  if (options_.outside == Outside::error)
+    throw Error(Errc::invalid_argument,
+                "query " + std::to_string(query) + " is outside the convex hull of the points", {query});
+}
+
+void PeriodicBatch::value_outside(std::size_t query) {
+  refuse(query);
+  is_outside_[query] = 1;
+  const std::span<double> to = at(query);
+  for (std::size_t c = 0; c < to.size(); ++c)
+    to[c] = options_.fill.empty() ? std::numeric_limits<double>::quiet_NaN() : options_.fill[c];
+}
+
+void PeriodicBatch::gradient_outside(std::size_t query) const {
+  refuse(query);
+  std::ranges::fill(at(query),
+                    options_.outside == Outside::nearest ? 0.0 : std::numeric_limits<double>::quiet_NaN());
+}
+
+void PeriodicBatch::take_nearest(std::span<const double> values, unsigned threads) const {
+  const QueryParts& parts = locator_.parts;
   if (options_.outside != Outside::nearest || parts.triangulation.num_vertices() == 0) return;
   WrappedQueries some;
   std::vector<std::size_t> numbers;
-  for (std::size_t query = 0; query < is_outside.size(); ++query) {
-    if (is_outside[query] == 0) continue;
+  for (std::size_t query = 0; query < is_outside_.size(); ++query) {
+    if (is_outside_[query] == 0) continue;
     numbers.push_back(query);
-    const double* const x = queries.points.data() + query * parts.dimension;
+    const double* const x = wrapped_.points.data() + query * parts.dimension;
     some.points.insert(some.points.end(), x, x + parts.dimension);
   }
   some.wraps.assign(numbers.size() * parts.rank, 0);
-  locator.find_nearest(
+  locator_.find_nearest(
       some,
       [&](std::size_t i, const NearestImage& found) {
-        std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(found.row * columns), columns,
-                    result.begin() + static_cast<std::ptrdiff_t>(numbers[i] * columns));
+        std::ranges::copy(values.subspan(found.row * width_, width_), at(numbers[i]).begin());
       },
       threads);
 }

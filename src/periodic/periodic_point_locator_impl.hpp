@@ -4,12 +4,14 @@
 
 #include "periodic/nearest_image.hpp"
 #include "periodic/query_location.hpp"
+#include "queries/evaluation.hpp"
 
 #include <delone/error.hpp>
 #include <delone/periodic_queries.hpp>
 
+#include <cstddef>
 #include <functional>
-#include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,35 +37,38 @@ inline void require_values(const PeriodicTriangulation& t, std::size_t numbers, 
                                          std::to_string(t.num_points() * columns));
 }
 
-/// The answers of queries outside, where the set is not periodic, `width` numbers each.
-class PeriodicOutside {
+/// What interpolators share: queries in the box, where their answers go, `width` numbers each, and the
+/// answers of queries outside, where the set is not periodic.
+class PeriodicBatch {
  public:
-  PeriodicOutside(const EvaluateOptions& options, std::size_t columns) : options_(options) {
-    if (options.tolerance != 0)
-      throw Error(Errc::unsupported, "interpolation on a periodic triangulation has no tolerance");
-    if (options.outside == Outside::project)
-      throw Error(Errc::unsupported, "queries to a periodic triangulation are not projected to its hull");
-    if (!options.fill.empty() && options.fill.size() != columns)
-      throw Error(Errc::bad_dimension, "the constants outside: " + std::to_string(options.fill.size()) +
-                                           " numbers, not " + std::to_string(columns));
-  }
+  /// `columns`: the constants that the options may have for queries outside.
+  PeriodicBatch(const PeriodicPointLocator::Impl& locator, std::span<const double> queries,
+                std::span<double> result, std::size_t width, std::size_t columns,
+                const EvaluateOptions& options);
 
-  void refuse(std::size_t query) const {
-    if (options_.outside == Outside::error)
-      throw Error(Errc::invalid_argument,
-                  "query " + std::to_string(query) + " is outside the convex hull of the points", {query});
-  }
-  void fill(std::span<double> at) const {
-    for (std::size_t c = 0; c < at.size(); ++c)
-      at[c] = options_.fill.empty() ? std::numeric_limits<double>::quiet_NaN() : options_.fill[c];
-  }
-  /// The values of the nearest points for the queries that are marked.
-  void finish(const PeriodicPointLocator::Impl& locator, const WrappedQueries& queries,
-              std::span<const unsigned char> is_outside, std::span<const double> values, std::size_t columns,
-              std::span<double> result, unsigned threads) const;
+  /// Calls work() with the queries wrapped.
+  void run(const Execution& how, const std::function<void()>& work);
+  const WrappedQueries& wrapped() const { return wrapped_; }
+  queries::Meter meter() { return queries::Meter(*progress_); }
+  std::span<double> at(std::size_t query) const { return result_.subspan(query * width_, width_); }
+
+  /// The answer of a query outside; throws Errc::invalid_argument for Outside::error.
+  void value_outside(std::size_t query);
+  void gradient_outside(std::size_t query) const;
+  /// For Outside::nearest the values of the nearest points, by row.
+  void take_nearest(std::span<const double> values, unsigned threads) const;
 
  private:
+  void refuse(std::size_t query) const;
+
+  const PeriodicPointLocator::Impl& locator_;
+  std::span<const double> queries_;
+  std::span<double> result_;
+  std::size_t width_;
   const EvaluateOptions& options_;
+  WrappedQueries wrapped_;
+  std::optional<queries::Progress> progress_;
+  std::vector<unsigned char> is_outside_;
 };
 
 }  // namespace delone::periodic

@@ -7,6 +7,8 @@
 #include <delone/polyhedron.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -64,37 +66,60 @@ Quotient volume_of_union(std::span<const Polyhedron> polyhedra, const Options& h
   return sum;
 }
 
+/// Adds one member after the other to each set of members, in lexicographic order. All that may come next
+/// have equal shares of the progress of the set.
+class IntersectionSearch {
+ public:
+  IntersectionSearch(std::span<const Polyhedron> polyhedra, std::size_t most_members, const Options& how)
+      : most_members_(most_members), how_(how), progress_(none_, std::size_t{1} << 30) {
+    for (std::size_t i = 0; i < polyhedra.size(); ++i)
+      if (is_full(polyhedra[i])) single_.push_back({{i}, polyhedra[i]});
+  }
+
+  std::vector<PolyhedraIntersection> run() {
+    if (most_members_ != 1)
+      for (std::size_t i = 0; i < single_.size(); ++i)
+        extend(single_[i], i + 1, share_of(i), share_of(i + 1));
+    std::stable_sort(found_.begin(), found_.end(),
+                     [](const auto& a, const auto& b) { return a.members.size() < b.members.size(); });
+    return std::move(found_);
+  }
+
+ private:
+  double share_of(std::size_t i) const {
+    return static_cast<double>(i) / static_cast<double>(single_.size());
+  }
+
+  /// By the polyhedra from `next` on. Of the progress, this is from `begin` to `end`.
+  void extend(const PolyhedraIntersection& part, std::size_t next, double begin, double end) {
+    const double step = (end - begin) / static_cast<double>(std::max<std::size_t>(single_.size() - next, 1));
+    for (; next < single_.size(); ++next, begin += step) {
+      progress_(static_cast<std::size_t>(std::ldexp(begin, 30)));
+      const PolyhedraIntersection& other = single_[next];
+      PolyhedraIntersection smaller{part.members, part.polyhedron.intersection(other.polyhedron, how_)};
+      if (!is_full(smaller.polyhedron)) continue;
+      smaller.members.push_back(other.members.front());
+      found_.push_back(smaller);
+      if (most_members_ == 0 || smaller.members.size() < most_members_)
+        extend(smaller, next + 1, begin, begin + step);
+    }
+  }
+
+  const std::size_t most_members_;
+  const Options how_;
+  const std::function<bool(double)> none_;
+  internal::ProgressMeter progress_;
+  std::vector<PolyhedraIntersection> single_, found_;
+};
+
 }  // namespace
 
 std::vector<PolyhedraIntersection> intersections(std::span<const Polyhedron> polyhedra,
                                                  std::size_t most_members, const Options& options) {
   require_one_dimension(polyhedra);
   const auto work = [&] {
-    const std::function<bool(double)> none;
-    internal::ProgressMeter progress(none, polyhedra.size());
-    const Options how{.threads = options.threads};
-    std::vector<PolyhedraIntersection> single;
-    for (std::size_t i = 0; i < polyhedra.size(); ++i)
-      if (is_full(polyhedra[i])) single.push_back({{i}, polyhedra[i]});
-    std::vector<PolyhedraIntersection> found, level = single;
-    for (std::size_t members = 2; !level.empty() && (most_members == 0 || members <= most_members);
-         ++members) {
-      std::vector<PolyhedraIntersection> next;
-      for (const PolyhedraIntersection& part : level) {
-        progress(part.members.front());
-        for (const PolyhedraIntersection& other : single) {
-          const std::size_t member = other.members.front();
-          if (member <= part.members.back()) continue;
-          PolyhedraIntersection smaller{part.members, part.polyhedron.intersection(other.polyhedron, how)};
-          if (!is_full(smaller.polyhedron)) continue;
-          smaller.members.push_back(member);
-          next.push_back(std::move(smaller));
-        }
-      }
-      found.insert(found.end(), next.begin(), next.end());
-      level = std::move(next);
-    }
-    return found;
+    IntersectionSearch search(polyhedra, most_members, {.threads = options.threads});
+    return search.run();
   };
   return polyhedra::within_limits(options, work, "polyhedra");
 }

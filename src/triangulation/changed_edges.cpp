@@ -27,10 +27,8 @@ void add_edges(const Complex& complex, CellId cell, std::vector<Edge>& edges) {
 }
 
 /// Many edges go to their first vertices before they are sorted.
-void sort_unique(std::vector<Edge>& edges, Index num_ids) {
-  if (edges.size() < num_ids) {
-    std::sort(edges.begin(), edges.end());
-  } else {
+void sort_unique_edges(std::vector<Edge>& edges, Index num_ids) {
+  if (edges.size() >= num_ids) {
     std::vector<std::size_t> first(std::size_t{num_ids} + 1, 0);
     internal::QuickRounds round;
     for (const Edge& edge : edges) ++first[index(edge[0]) + 1];
@@ -47,14 +45,10 @@ void sort_unique(std::vector<Edge>& edges, Index num_ids) {
                 sorted.begin() + static_cast<std::ptrdiff_t>(first[v + 1]));
     }
     edges = std::move(sorted);
+  } else {
+    std::sort(edges.begin(), edges.end());
   }
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-}
-
-std::vector<Edge> difference(const std::vector<Edge>& a, const std::vector<Edge>& b) {
-  std::vector<Edge> rest;
-  std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(rest));
-  return rest;
 }
 
 }  // namespace
@@ -71,8 +65,8 @@ ChangedEdges find_changed_edges(const Complex& before, const Complex& after) {
     if (after.is_cell(cell)) add_edges(after, cell, of_after);
   }
   const Index ids = std::max(before.num_vertex_slots(), after.num_vertex_slots());
-  sort_unique(of_before, ids);
-  sort_unique(of_after, ids);
+  sort_unique_edges(of_before, ids);
+  sort_unique_edges(of_after, ids);
   return {difference(of_before, of_after), difference(of_after, of_before)};
 }
 

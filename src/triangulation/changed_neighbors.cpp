@@ -5,13 +5,11 @@
 
 #include "base/guarded.hpp"
 #include "base/progress_meter.hpp"
-#include "base/quick_rounds.hpp"
 #include "triangulation/changed_edges.hpp"
 #include "triangulation/stored_points.hpp"
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 
 namespace delone {
 
@@ -56,22 +54,15 @@ class NeighborsByRow {
   /// All edges at vertices that have another name in the other triangulation, sorted.
   std::vector<Rows> renamed(const Triangulation& t, const std::vector<SignedIndex>& rows) const {
     std::vector<Rows> pairs;
-    const Complex complex = t.complex();
-    internal::QuickRounds round;
-    for (Index id = 1; id < complex.num_vertex_slots(); ++id) {
-      const VertexId v{id};
-      if (!complex.is_vertex(v) || !is_renamed(v)) continue;
-      round();
-      for (const VertexId w : complex.adjacent_vertices(v)) pairs.push_back(named(v, w, rows));
-    }
-    std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    triangulation::each_edge_at(
+        t.complex(), [&](VertexId v) { return is_renamed(v); },
+        [&](VertexId v, VertexId w) { pairs.push_back(named(v, w, rows)); });
+    triangulation::sort_unique(pairs);
     return pairs;
   }
   std::vector<SignedIndex> merged(const std::vector<Edge>& edges, const std::vector<SignedIndex>& rows,
                                   const std::vector<Rows>& here, const std::vector<Rows>& there) const {
-    std::vector<Rows> pairs;
-    std::set_difference(here.begin(), here.end(), there.begin(), there.end(), std::back_inserter(pairs));
+    std::vector<Rows> pairs = triangulation::difference(here, there);
     for (const auto& [v, w] : edges)
       if (!is_renamed(v) && !is_renamed(w)) pairs.push_back(named(v, w, rows));
     std::sort(pairs.begin(), pairs.end());

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -184,45 +185,47 @@ std::size_t rank_of(std::vector<std::vector<kernel::Integer>> rows) {
 
 }  // namespace
 
-/// Without ties all facets are. Otherwise a facet is if its corners span its plane: d of them are linearly
-/// independent as rows of d + 1 homogeneous coordinates.
-bool RegionClipper::spans_plane(std::size_t plane, const std::vector<Corner>& all) {
+/// Of rows of d + 1 homogeneous coordinates.
+std::size_t RegionClipper::rank_of_corners(const std::vector<Corner>& corners) {
   std::vector<std::vector<kernel::Integer>> rows;
-  for (const Corner c : all) {
-    if (std::find(planes_of(c), planes_of(c) + d_, plane) == planes_of(c) + d_) continue;
-    if (!has_ties_) return true;
+  for (const Corner c : corners) {
     kernel::Fractions corner = solve_exactly(c);
     rows.push_back(std::move(corner.numerators));
     rows.back().push_back(std::move(corner.denominator));
   }
-  return rank_of(std::move(rows)) >= d_;
+  return rank_of(std::move(rows));
 }
 
-std::vector<RegionClipper::ProperFacet> RegionClipper::proper_facets() {
+/// Without ties the planes of a corner are the only ones there, so its edges lead inside of all others.
+bool RegionClipper::has_interior(std::span<const double> inside) {
   const std::vector<Corner> all = corners();
-  std::vector<ProperFacet> facets;
-  if (d_ > 3) {
-    for (std::size_t plane = 0; plane < planes_.size(); ++plane)
-      if (spans_plane(plane, all)) facets.push_back({plane, 0});
-    return facets.size() > d_ ? facets : std::vector<ProperFacet>{};
+  if (all.empty() || !has_ties_) return !all.empty();
+  if (!inside.empty()) {
+    std::size_t plane = 0;
+    while (plane < planes_.size() && certain_side(inside.data(), 0, plane) < 0) ++plane;
+    if (plane == planes_.size()) return true;
   }
-  const std::vector<Index> number = exact_numbers();
-  // On a line each facet is a corner, and both may be in one place.
-  if (d_ == 1 && !all.empty() && number[all.front()] == number[all.back()]) return facets;
+  return rank_of_corners(all) == d_ + 1;
+}
+
+/// A facet of the perturbed polytope tends to a face of the region, whose vertices are what its corners tend
+/// to (clipped_regions.cpp). So for d ≤ 3 it spans its plane if it has d different ones.
+std::vector<RegionClipper::Facet> RegionClipper::facets(const std::vector<Index>& number, bool proper) {
+  std::vector<Facet> result;
+  std::vector<Corner> on;
+  const std::vector<Corner> all = corners();
   for (std::size_t plane = 0; plane < planes_.size(); ++plane) {
-    std::size_t size = 0;
-    if (d_ == 3) {
-      size = cycle(plane, number, all).size();
-    } else {
-      std::vector<Index> on;
-      for (const Corner c : all)
-        if (std::find(planes_of(c), planes_of(c) + d_, plane) != planes_of(c) + d_) on.push_back(number[c]);
-      std::sort(on.begin(), on.end());
-      size = static_cast<std::size_t>(std::unique(on.begin(), on.end()) - on.begin());
-    }
-    if (size >= d_) facets.push_back({plane, size});
+    on.clear();
+    std::copy_if(all.begin(), all.end(), std::back_inserter(on), [&](Corner c) { return is_on(c, plane); });
+    if (on.empty()) continue;
+    Facet facet{plane, {}};
+    for (const Corner c : on) facet.corners.push_back(number[c]);
+    std::sort(facet.corners.begin(), facet.corners.end());
+    facet.corners.erase(std::unique(facet.corners.begin(), facet.corners.end()), facet.corners.end());
+    if (proper && has_ties_ && (d_ <= 3 ? facet.corners.size() < d_ : rank_of_corners(on) < d_)) continue;
+    result.push_back(std::move(facet));
   }
-  return facets.size() > d_ ? facets : std::vector<ProperFacet>{};
+  return result;
 }
 
 std::size_t RegionClipper::fixed_plane_of(std::size_t plane) {

@@ -137,9 +137,8 @@ void RegionClipper::make_bisectors(std::span<const Site> others) {
 
 /// The errors of both vectors give |a·y − ã·ỹ| ≤ Σ|a_j|·(r + u|y_j|). On top come d + 1 roundings of partial
 /// sums of at most |b| + Σ|a_j||y_j|.
-bool RegionClipper::is_beyond(Corner corner, std::size_t plane) {
+int RegionClipper::certain_side(const double* y, double radius, std::size_t plane) const {
   const Plane& p = planes_[plane];
-  const double* y = position(corner);
   double value = p.b, magnitude = std::abs(p.b), size = 0;
   for (std::size_t j = 0; j < d_; ++j) {
     const double product = p.a[j] * y[j];
@@ -148,12 +147,14 @@ bool RegionClipper::is_beyond(Corner corner, std::size_t plane) {
     size += std::abs(p.a[j]);
   }
   const double bound =
-      1.01 * (size * radii_[corner] + static_cast<double>(d_ + 3) * u * magnitude + p.b_error) + underflow;
-  if (is_moderate_ && magnitude < largest_extent * largest_extent) {
-    if (value > bound) return false;
-    if (value < -bound) return true;
-  }
-  return is_beyond_exactly(corner, plane);
+      1.01 * (size * radius + static_cast<double>(d_ + 3) * u * magnitude + p.b_error) + underflow;
+  if (!is_moderate_ || !(magnitude < largest_extent * largest_extent)) return 0;
+  return value < -bound ? 1 : value > bound ? -1 : 0;
+}
+
+bool RegionClipper::is_beyond(Corner corner, std::size_t plane) {
+  const int side = certain_side(position(corner), radii_[corner], plane);
+  return side == 0 ? is_beyond_exactly(corner, plane) : side > 0;
 }
 
 const std::vector<kernel::Integer>& RegionClipper::exact_plane(std::size_t plane) {
@@ -389,25 +390,39 @@ bool RegionClipper::is_counterclockwise(std::size_t plane, std::size_t along, st
 /// The corners on a plane in the order of its polygon, counterclockwise; for d = 2, all corners.
 std::vector<Index> RegionClipper::cycle(std::size_t plane, const std::vector<Index>& number,
                                         const std::vector<Corner>& corners) {
-  const auto is_on = [&](std::size_t p) { return d_ == 3 && p == plane; };
-  const auto start = std::find_if(corners.begin(), corners.end(), [&](Corner c) {
-    return d_ == 2 || std::find(planes_of(c), planes_of(c) + d_, plane) != planes_of(c) + d_;
-  });
+  const auto is_around = [&](std::size_t p) { return d_ == 3 && p == plane; };
+  const auto start =
+      std::find_if(corners.begin(), corners.end(), [&](Corner c) { return d_ == 2 || is_on(c, plane); });
   std::vector<Index> face;
   if (start == corners.end()) return face;
   std::size_t slots[2], count = 0;  // of the two ways from the first corner
   for (std::size_t i = 0; i < d_; ++i)
-    if (!is_on(planes_of(*start)[i])) slots[count++] = i;
+    if (!is_around(planes_of(*start)[i])) slots[count++] = i;
   const std::size_t first = planes_of(*start)[slots[0]], second = planes_of(*start)[slots[1]];
   Corner at = *start, next = neighbors(at)[is_counterclockwise(plane, second, first) ? slots[0] : slots[1]];
   do {
     if (face.empty() || face.back() != number[at]) face.push_back(number[at]);
     const Corner before = std::exchange(at, next);
     for (std::size_t i = 0; i < d_; ++i)
-      if (!is_on(planes_of(at)[i]) && neighbors(at)[i] != before) next = neighbors(at)[i];
+      if (!is_around(planes_of(at)[i]) && neighbors(at)[i] != before) next = neighbors(at)[i];
   } while (at != *start);
   while (face.size() > 1 && face.front() == face.back()) face.pop_back();
   return face;
+}
+
+std::vector<Index> RegionClipper::ordered_facet(std::size_t plane, const std::vector<Index>& number) {
+  const std::vector<Corner> all = corners();
+  if (d_ == 3) return cycle(plane, number, all);
+  std::vector<Index> ends;
+  bool is_reversed = false;
+  for (const Corner c : all)
+    if (is_on(c, plane)) {
+      const std::size_t other = planes_of(c)[planes_of(c)[0] == plane ? 1 : 0];
+      if (ends.empty()) is_reversed = !is_counterclockwise(plane, plane, other);
+      ends.push_back(number[c]);
+    }
+  if (is_reversed) std::swap(ends.front(), ends.back());
+  return ends;
 }
 
 std::vector<std::vector<Index>> RegionClipper::faces(const std::vector<Index>& number) {

@@ -12,6 +12,7 @@
 
 #include <delone/voronoi.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -40,12 +41,22 @@ class RegionClipper {
   /// The volume, the centroid less the site, and the facets of the clipped region, labelled by planes. Some
   /// facets have no area if more planes than d meet in a corner.
   solve::SimplePolytope::Measures measures();
-  /// The planes of the facets that are not smaller than that, decided exactly, with the numbers of their
-  /// corners, 0 for d > 3. None if the region has no interior.
-  struct ProperFacet {
-    std::size_t plane, num_corners;
+  /// Whether the region has an interior, exactly. `inside`: d numbers of a point less the site, which may
+  /// help to decide that; or none.
+  bool has_interior(std::span<const double> inside);
+  /// Numbers for the corners, equal for those that coincide exactly.
+  std::vector<Index> exact_numbers();
+  /// The planes that have corners, with the numbers of these, increasing without repetitions. `proper`: those
+  /// whose corners span the plane, decided exactly; then `number` are exact_numbers(). REQUIRES an interior.
+  struct Facet {
+    std::size_t plane;
+    std::vector<Index> corners;
   };
-  std::vector<ProperFacet> proper_facets();
+  std::vector<Facet> facets(const std::vector<Index>& number, bool proper);
+  /// The numbers of the corners on a plane in order. d = 3: counterclockwise around the facet, seen from
+  /// outside, equal ones in a row once. d = 2: both ends, counterclockwise around the region.
+  /// REQUIRES 2 ≤ d ≤ 3 and a plane with corners.
+  std::vector<Index> ordered_facet(std::size_t plane, const std::vector<Index>& number);
   /// The plane of the box, or of a halfspace, with the same points and the same side as the bisector `plane`,
   /// or else `plane` itself: the site behind that bisector has no interior in the box.
   std::size_t fixed_plane_of(std::size_t plane);
@@ -80,7 +91,12 @@ class RegionClipper {
     std::vector<kernel::Integer> exact;  // a and b times a positive factor; computed on first use
   };
 
-  bool spans_plane(std::size_t plane, const std::vector<Corner>& all);
+  bool is_on(Corner c, std::size_t plane) const {
+    const std::span<const std::size_t> planes = planes_through(c);
+    return std::find(planes.begin(), planes.end(), plane) != planes.end();
+  }
+  /// The dimension, plus one, that corners span.
+  std::size_t rank_of_corners(const std::vector<Corner>& corners);
   bool has_moderate_sides() const;
   std::pair<double, double> range_of_corners(std::size_t j) const;
   std::vector<int> exponents_of_extents() const;
@@ -93,6 +109,9 @@ class RegionClipper {
   void make_halfspaces();
   void make_bisectors(std::span<const Site> others);
   void cut(std::size_t plane);
+  /// 1 if a point within `radius` of y, along each axis, certainly lies beyond the plane, −1 if it certainly
+  /// does not, and 0 if that is open.
+  int certain_side(const double* y, double radius, std::size_t plane) const;
   bool is_beyond(Corner corner, std::size_t plane);
   bool is_beyond_exactly(Corner corner, std::size_t plane);
   const std::vector<kernel::Integer>& exact_plane(std::size_t plane);
@@ -108,8 +127,6 @@ class RegionClipper {
   bool is_counterclockwise(std::size_t plane, std::size_t along, std::size_t leaves);
   /// The corners by coordinates, and numbers for them, equal for corners with the same coordinates.
   std::vector<Corner> number_corners(std::vector<Index>& number);
-  /// Numbers for the corners, equal for those that coincide exactly.
-  std::vector<Index> exact_numbers();
   std::vector<Index> cycle(std::size_t plane, const std::vector<Index>& number,
                            const std::vector<Corner>& corners);
 

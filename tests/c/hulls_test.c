@@ -260,6 +260,18 @@ static void cells_of_sites(void) {
   array = get_array(cells, "volumes");
   CHECK(entry(&array, 4) == 0 && fabs(entry(&array, 5) - 2) < 1e-14);
   delone_free(cells);
+  OK(delone_set_integer(options, "vertices", 1));
+  OK(delone_site_cells(t, low, high, NULL, 0, options, &cells));
+  array = get_array(cells, "vertex_offsets");
+  CHECK(array.type == DELONE_INT64 && entry(&array, 0) == 0 && entry(&array, 1) == 3 &&
+        entry(&array, 6) == 16);
+  array = get_array(cells, "vertices");
+  CHECK(array.shape[0] == 16 && array.shape[1] == 2 && entry(&array, 3) == 1 && entry(&array, 4) == 1);
+  array = get_array(cells, "face_vertex_offsets");
+  CHECK(array.type == DELONE_INT64 && array.shape[0] == 17 && entry(&array, 16) == 32);
+  array = get_array(cells, "face_vertices");
+  CHECK(array.shape[0] == 32);
+  delone_free(cells);
   delone_free(t);
   delone_options_free(options);
 }

@@ -44,6 +44,46 @@ static void test_one_point(void) {
   delone_free(t);
 }
 
+static void test_changed_neighbors(void) {
+  static const double before[2] = {0, 0.5}, after[2] = {0, 0.25}, lattice[1] = {1};
+  static const double corners[8] = {0, 0, 4, 0, 4, 4, 0, 5}, to[2] = {0, 2}, in_row[3] = {0, 1, 2};
+  const int64_t last = 3;
+  delone_object *t, *u, *changes;
+  delone_array array;
+  OK(delone_periodic_delaunay(before, 2, 1, lattice, 1, NULL, &t));
+  OK(delone_periodic_delaunay(after, 2, 1, lattice, 1, NULL, &u));
+  OK(delone_changed_neighbors(t, u, NULL, &changes));
+  CHECK(strcmp(delone_kind(changes), "neighbor_changes") == 0 && get_integer(changes, "rank") == 1);
+  array = get_array(changes, "began_offsets");
+  CHECK(array.shape[0] == 0 && array.shape[1] == 1);
+  delone_free(changes);
+  delone_free(u);
+  OK(delone_periodic_delaunay(before, 1, 1, lattice, 1, NULL, &u));
+  FAILS(DELONE_BAD_DIMENSION, delone_changed_neighbors(t, u, NULL, &changes));
+  delone_free(u);
+  OK(delone_delaunay(corners, 4, 2, NULL, &u));
+  FAILS(DELONE_INVALID_ARGUMENT, delone_changed_neighbors(t, u, NULL, &changes));
+  delone_free(t);
+  OK(delone_clone(u, &t));
+  OK(delone_move(t, &last, 1, to, NULL));
+  OK(delone_changed_neighbors(u, t, NULL, &changes));
+  CHECK(get_integer(changes, "rank") == 0);
+  array = get_array(changes, "ended");
+  CHECK(array.type == DELONE_INT32 && array.shape[0] == 1 && array.shape[1] == 2);
+  CHECK(entry(&array, 0) == 0 && entry(&array, 1) == 2);
+  array = get_array(changes, "began");
+  CHECK(array.shape[0] == 1 && entry(&array, 0) == 1 && entry(&array, 1) == 3);
+  delone_free(changes);
+  delone_free(t);
+  delone_free(u);
+  OK(delone_delaunay(in_row, 3, 1, NULL, &t));
+  OK(delone_changed_neighbors(t, t, NULL, &changes));
+  array = get_array(changes, "began");
+  CHECK(array.shape[0] == 0);
+  delone_free(changes);
+  delone_free(t);
+}
+
 static void test_slab_with_weights(void) {
   const double lattice[6] = {1, 0, 0, 0, 1, 0}, far_away[3] = {0.5, 0.5, 9}, outside[2] = {9, 0.5};
   double weights[50];
@@ -137,6 +177,7 @@ static void test_errors(void) {
 
 void periodic_test(void) {
   test_one_point();
+  test_changed_neighbors();
   test_slab_with_weights();
   test_steps();
   test_errors();

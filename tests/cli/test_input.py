@@ -199,6 +199,9 @@ class MissingValues(Case):
         self.assertEqual(json.loads(text)["hash"], json.loads(self.output("regular", expected, "--weights", "2", "--stats"))["hash"])
         self.assertEqual(said.splitlines(), [f"delone: {points}: 1 row with missing values left out: 1",
                                              f"delone: {weights}: 1 row with missing values left out: 3"])
+        complete = self.file("complete.txt", "0\n" * 6)
+        self.assertEqual(self.skipping("regular", points, "--weights", complete, "--stats")[1],
+                         f"delone: {points}: 1 row with missing values left out: 1\n")
         queries = self.file("q.csv", "3,1\n2.5,2\n")
         text, _ = self.skipping("interpolate", points, "--values", weights, "--queries", queries)
         self.assertEqual(text, self.output("interpolate", expected, "--columns", "0,1", "--values", "2", "--queries", queries).replace("2\n", "value\n", 1))

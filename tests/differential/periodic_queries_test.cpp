@@ -21,6 +21,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <random>
 #include <string>
@@ -381,6 +382,13 @@ TEST(PeriodicQueries, InterpolationAsAmongCopies) {
       natural.evaluate(queries, a);
       natural_among.evaluate(queries, b);
       compare(a, b, 1e-8);
+      std::vector<double> c(2 * queries.size()), d(c.size());
+      natural.gradients(queries, c);
+      natural_among.gradients(queries, d);
+      const double steepest = std::accumulate(d.begin(), d.end(), 1.0, [](double largest, double x) {
+        return std::isnan(x) ? largest : std::max(largest, std::abs(x));
+      });
+      compare(c, d, 1e-8 * steepest);
     }
     if (::testing::Test::HasFailure()) return;
   }

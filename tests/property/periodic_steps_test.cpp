@@ -187,6 +187,7 @@ TEST(PeriodicSteps, WeightsChange) {
           if (step == 2) weights[17] -= 0.25;
           t = t.moved(PointsView(points, 3), weights);
           expect_same_arrays(t, PeriodicRegular<>(PointsView(points, 3), weights, lattice));
+          if (step == 0) expect_same_arrays(t.moved(PointsView(points, 3)), t);
           if (step == 1) {
             EXPECT_GT(t.num_hidden(), 2u);
           }

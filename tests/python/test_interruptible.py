@@ -197,7 +197,7 @@ LONG = {
                                                             "delone.PeriodicNaturalNeighborInterpolator(t, z)"),
     "delone.PeriodicNaturalNeighborInterpolator.__call__": ("t = delone.PeriodicDelaunay(random.random((3000, 3)), 1.0); "
                                                             "f = delone.PeriodicNaturalNeighborInterpolator(t, random.random(3000))",
-                                                            "f(random.random((300_000, 3)))", "natural_neighbors"),
+                                                            "f(random.random((300_000, 3)))", "gradient natural_neighbors"),
     "delone.PeriodicDelaunay.moved": ("x = random.random((300_000, 3)); t = delone.PeriodicDelaunay(x, 1.0)",
                                       "t.moved(x + 1e-6 * random.random((300_000, 3)))"),
     "delone.PeriodicRegular.moved": ("x = random.random((200_000, 3)); w = random.random(200_000) * 1e-5; t = delone.PeriodicRegular(x, w, 1.0)",

@@ -225,6 +225,7 @@ def test_gradients_and_natural_neighbors():
     step = 1e-9 * np.eye(3)[0]
     np.testing.assert_allclose((f(queries + step) - f(queries - step)) / 2e-9, f.gradient(queries)[:, 0], atol=1e-4)
     g = delone.PeriodicNaturalNeighborInterpolator(t, z)
+    np.testing.assert_allclose((g(queries + 1e3 * step) - g(queries - 1e3 * step)) / 2e-6, g.gradient(queries)[:, 0], rtol=1e-3, atol=1e-3)
     indptr, rows, offsets, weights = g.natural_neighbors(queries)
     sums = np.add.reduceat(weights[:, None] * image(t, rows, offsets), indptr[:-1])
     np.testing.assert_allclose(sums, queries, atol=1e-8)

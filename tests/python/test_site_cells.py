@@ -76,8 +76,22 @@ def test_polygons():
         cells.polygons_of(200)
     with pytest.raises(ValueError, match="vertices=True"):
         delone.Delaunay(points).site_cells(neighbors=True).polygons_of(0)
-    with pytest.raises(delone.Error, match="box"):
-        delone.Delaunay(points).site_cells(vertices=True, box=([0] * 3, [1] * 3))
+
+
+def test_polygons_in_a_ball():
+    points = np.random.default_rng(6).random((100, 3))
+    ball = delone.ball_halfspaces([0.5] * 3, 0.5, count=60)
+    cells = delone.Delaunay(points).site_cells(vertices=True, box=([0] * 3, [1] * 3), halfspaces=ball)
+    vertices = np.repeat(np.arange(100), np.diff(cells.vertex_offsets))
+    assert (cells.vertices @ ball[:, :3].T + ball[:, 3] < 1e-15).all() and (cells.vertices >= 0).all() and (cells.vertices <= 1).all()
+    for row in range(100):
+        corners, faces = cells.polygons_of(row)
+        assert len(corners) == (vertices == row).sum() and (len(faces) > 0) == (cells.volumes[row] > 0)
+        if faces:
+            triangles = corners[[(f[0], a, b) for f in faces for a, b in zip(f[1:], f[2:])]] - points[row]
+            assert abs(np.linalg.det(triangles).sum() / 6 - cells.volumes[row]) < 1e-14
+        for face, neighbor in zip(faces, cells.neighbors_of(row)):
+            assert (neighbor < 0) == (np.abs(corners[face] @ ball[:, :3].T + ball[:, 3]).max(axis=0) < 1e-14).any()
 
 
 def test_polygons_of_a_periodic_set_are_those_among_copies():

@@ -12,6 +12,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 
 namespace delone::particles {
@@ -81,7 +82,7 @@ void CellMeasure::measure_neighbors() {
     const double length = is_moderate ? std::sqrt(square_of_e)
                                       : internal::length_of(d, [&](std::size_t j) { return record[j]; });
     distances_[i] = length;
-    if (weighted_) positions_[i] = 0.5 + 0.5 * (weight / length / length);
+    if (weighted_) positions_[i] = length > 0 ? 0.5 + 0.5 * (weight / length / length) : 0.5;
   }
 }
 
@@ -139,10 +140,21 @@ void CellMeasure::find_exact_differences() {
   }
 }
 
+/// Neither rounded nor scaled: in the unit that the largest differences give, the smallest ones may be 0.
+void CellMeasure::keep_coordinates() {
+  for (std::size_t i = 0; i < to_.size(); ++i) {
+    std::copy_n(to_[i], d_, high_.begin() + static_cast<std::ptrdiff_t>(i * d_));
+    std::transform(from_, from_ + d_, low_.begin() + static_cast<std::ptrdiff_t>(i * d_), std::negate<>());
+    if (!weighted_) continue;
+    weight_high_[i] = from_[d_];
+    weight_low_[i] = -to_[i][d_];
+  }
+}
+
 template <class Find>
 void CellMeasure::replace(std::size_t cell, const Find& find) {
-  find(ExactNeighbors{k_, d_, high_, low_, weight_high_, weight_low_}, corners_.data() + cell * k_,
-       one_.data());
+  find(ExactNeighbors{k_, d_, high_, low_, weight_high_, weight_low_, exponent_ + unit_},
+       corners_.data() + cell * k_, one_.data());
   for (std::size_t i = 0; i < one_.size(); ++i) piece(i, cell) = one_[i];
 }
 
@@ -154,7 +166,7 @@ void CellMeasure::improve() {
   for (const bool exactly : {false, true}) {
     const PieceTotals totals = find_totals(num_cells_, &size_of(0), &error_of(0));
     if (totals.error <= tolerance * totals.size) return;
-    if (!exactly) find_exact_differences();
+    exactly ? keep_coordinates() : find_exact_differences();
     scratch_.resize(num_cells_);
     for (std::size_t c = 0; c < num_cells_; ++c)
       scratch_[c] = error_of(c) < size_of(c) ? size_of(c) - error_of(c) : 0;
@@ -228,7 +240,7 @@ void CellMeasure::sum_up() {
   for (std::size_t i = 0; i < n; ++i) {
     const double* const record = records_.data() + i * record_size(d_);
     const double t = weighted_ ? positions_[i] : 0.5, part = per_edge * shares_[i] * t;
-    areas_[i] = shares_[i] / distances_[i];
+    areas_[i] = distances_[i] > 0 ? shares_[i] / distances_[i] : 0;
     volume_ += part;
     for (std::size_t j = 0; j < d_; ++j) offset_[j] += part * t * per_simplex * record[j];
   }

@@ -45,6 +45,7 @@ class CellMeasure {
   template <int D>
   void measure_neighbors();
   void find_exact_differences();
+  void keep_coordinates();
   void find_pieces();
   void improve();
   double total_of_scratch() const;

@@ -35,7 +35,7 @@ constexpr double pair_roundoff = 0x1p-100;
 class ExactElimination {
  public:
   ExactElimination(const ExactNeighbors& neighbors, const std::uint32_t* corners, Flags<double, 0, 0>& flags)
-      : k_(neighbors.k), d_(neighbors.d), width_(d_ + 1 + k_), flags_(flags) {
+      : k_(neighbors.k), d_(neighbors.d), width_(d_ + 1 + k_), flags_(flags), lengths_(k_) {
     grid_ = std::numeric_limits<int>::max() / 4;
     for_each_number(
         neighbors, corners, [&](double x) { grid_ = std::min(grid_, kernel::trailing_exponent(x)); },
@@ -57,10 +57,25 @@ class ExactElimination {
       for (std::size_t j = 0; j < k_; ++j)
         for (std::size_t c = 0; c < d_; ++c)
           rows[i * width_ + d_ + 1 + j] += rows[i * width_ + c] * rows[j * width_ + c];
+    unit_ = grid_ - neighbors.exponent;
+    for (std::size_t i = 0; i < k_; ++i) lengths_[i] = length(rows.data() + i * width_);
     run(0, 0, rows, 1);
   }
+  /// Of the edges; those that are too short for doubles have the least one.
+  const std::vector<double>& lengths() const { return lengths_; }
 
  private:
+  double length(const Integer* edge) const {
+    std::vector<double> rounded;
+    double largest = 0, sum = 0;
+    for (std::size_t j = 0; j < d_; ++j) {
+      rounded.push_back(kernel::nearest_double(edge[j], 1, unit_));
+      largest = std::max(largest, std::abs(rounded.back()));
+    }
+    if (largest == 0) return std::numeric_limits<double>::denorm_min();
+    for (const double x : rounded) sum += (x / largest) * (x / largest);
+    return largest * std::sqrt(sum);
+  }
   static Integer integer(double x, int grid) { return x == 0 ? Integer(0) : kernel::scaled_integer(x, grid); }
   template <class Coordinate, class Weight>
   static void for_each_number(const ExactNeighbors& neighbors, const std::uint32_t* corners,
@@ -84,7 +99,7 @@ class ExactElimination {
       const Integer& twice_alpha = row(w)[d_];
       double h = 0;
       if (twice_alpha != 0)
-        h = kernel::root_above(twice_alpha * twice_alpha, 4 * g * square(w), grid_) *
+        h = kernel::root_above(twice_alpha * twice_alpha, 4 * g * square(w), unit_) *
             (twice_alpha < 0 ? -1 : 1);
       flags_.alpha[set * k_ + w] = h;
       flags_.tau[set * k_ + w] = 2 * unit_roundoff * std::abs(h);
@@ -93,7 +108,7 @@ class ExactElimination {
       const std::size_t with = set | std::size_t{1} << v;
       const Integer& pivot = square(v);
       for (std::size_t j = 0; j < d_; ++j)
-        flags_.steps[with * d_ + j] = kernel::nearest_double(row(v)[d_] * row(v)[j], pivot * g, grid_ - 1);
+        flags_.steps[with * d_ + j] = kernel::nearest_double(row(v)[d_] * row(v)[j], pivot * g, unit_ - 1);
       if (with + 1 == std::size_t{1} << k_) continue;
       std::vector<Integer> next(rows.size());
       for (std::size_t w = 0; w < k_; ++w) {
@@ -107,7 +122,8 @@ class ExactElimination {
 
   std::size_t k_, d_, width_;
   Flags<double, 0, 0>& flags_;
-  int grid_;
+  int grid_, unit_ = 0;  // of the integers, and of these in the unit of the pieces
+  std::vector<double> lengths_;
 };
 
 auto writer(double* pieces) {
@@ -173,18 +189,7 @@ void find_pieces_exactly(const ExactNeighbors& neighbors, const std::uint32_t* c
   const std::size_t k = neighbors.k, d = neighbors.d;
   Flags<double, 0, 0> flags(k, d);
   const ExactElimination elimination(neighbors, corners, flags);
-  std::vector<double> lengths(k);
-  for (std::size_t i = 0; i < k; ++i) {
-    double largest = 0;
-    for (std::size_t j = 0; j < d; ++j)
-      largest = std::max(largest, std::abs(neighbors.high[corners[i] * d + j]));
-    for (std::size_t j = 0; j < d; ++j) {
-      const double x = neighbors.high[corners[i] * d + j] / largest;
-      lengths[i] += x * x;
-    }
-    lengths[i] = largest * std::sqrt(lengths[i]);
-  }
-  sum_flags<double, 0, 0>(flags, lengths.data(), writer(pieces));
+  sum_flags<double, 0, 0>(flags, elimination.lengths().data(), writer(pieces));
 }
 
 }  // namespace delone::particles

@@ -12,11 +12,13 @@
 namespace delone::particles {
 
 /// The neighbors of a site, without error: each is at high + low from it, and w_0 − w is weight_high +
-/// weight_low. Without weights both of these are empty.
+/// weight_low, two numbers of any size in any order for find_pieces_exactly(), otherwise a pair of doubles.
+/// Without weights both of these are empty.
 struct ExactNeighbors {
   std::size_t k, d;
   std::span<const double> high, low;  ///< d per neighbor
   std::span<const double> weight_high, weight_low;
+  int exponent = 0;  ///< what find_pieces_exactly() finds is in the unit 2^exponent
 };
 
 /// Of the cell with these k neighbors, the piece_size(k, d) numbers. `records` as for find_pieces_in_lanes().
