@@ -32,7 +32,10 @@ class Cells(Case):
             first, last = arrays["face_vertex_offsets"][arrays["neighbor_offsets"][4:6]]
             np.testing.assert_array_equal(arrays["face_vertices"][first:last], [0, 1, 1, 3, 2, 0, 3, 2])
         self.assertIn("--vertices: csv", self.complaint("cells", points, "--vertices", "-o", self.path("cells.csv"), status=64))
-        self.assertIn("--box", self.complaint("cells", points, "--vertices", "--box", "0,0,1,1", status=64))
+        self.output("cells", points, "--vertices", "--proper-faces", "--box", "0,0,2,2", "-o", self.path("in_box.npz"))
+        with np.load(self.path("in_box.npz")) as arrays:
+            first, last = arrays["vertex_offsets"][:2]
+            np.testing.assert_array_equal(arrays["vertices"][first:last], [[0, 0], [0, 1], [1, 0]])
 
     def test_box_weights_and_proper_faces(self):
         balls = self.file("balls.csv", "x,y,w\n0,0,0\n2,0,1\n")
