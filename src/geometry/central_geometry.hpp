@@ -15,9 +15,11 @@
 
 #include "cells/cell_memory.hpp"
 #include "geometry/central_view.hpp"
+#include "geometry/coordinate_functional.hpp"
 #include "geometry/functionals.hpp"
 #include "geometry/kept_rows.hpp"
 #include "geometry/lattice.hpp"
+#include "kernel/coordinate_plane.hpp"
 #include "kernel/hull_stages.hpp"
 #include "sites/boundary_sites.hpp"
 
@@ -56,7 +58,8 @@ class CentralGeometry {
   /// may grow.
   CentralGeometry(CellMemory<K>& cells, const BoundarySites& sites, const CentralView& view,
                   std::vector<Index> inner)
-      : sites_(sites),
+      : cells_(cells),
+        sites_(sites),
         view_(view),
         inner_(std::move(inner)),
         scale_(static_cast<std::size_t>(sites.dimension()), std::numeric_limits<double>::quiet_NaN()),
@@ -70,7 +73,8 @@ class CentralGeometry {
   /// are.
   struct ForThread {};
   CentralGeometry(const CentralGeometry& shared, ForThread)
-      : sites_(shared.sites_),
+      : cells_(shared.cells_),
+        sites_(shared.sites_),
         view_(shared.view_),
         inner_(shared.inner_),
         scale_(shared.scale_),
@@ -148,9 +152,16 @@ class CentralGeometry {
   void thresholds_at(std::span<const Index> cells, const Query&, double* thresholds) const {
     std::fill_n(thresholds, cells.size(), std::numeric_limits<double>::infinity());
   }
-  /// Whether a value within the threshold proves that q is exactly on the hyperplane.
+  /// Whether q is proved to be exactly on the hyperplane, if the value is within the threshold: by the value,
+  /// or since the hyperplane is that of a coordinate.
   bool proves_tie(Index cell, double value, const Query& q) const {
-    return functionals_.proves_zero(cell, value, q.bounds);
+    if (functionals_.proves_zero(cell, value, q.bounds)) return true;
+    if (std::fabs(value) > functionals_.threshold(cell)) return false;
+    const auto vertex = [layout = cells_.layout(), links = cells_.links(cell)](int i) {
+      return layout.vertex(links, i);
+    };
+    return kernel::common_axis(sites_.flat(), q.point, [&](int i) { return point(vertex(i)); }) !=
+           kernel::no_axis;
   }
   /// The exact side of q: positive inside.
   Sign exact_side(const Index* vertices, int, const Query& q, StageCounts& counts) const {
@@ -160,6 +171,10 @@ class CentralGeometry {
   /// vertices.
   Sign perturbed_side(const Index* vertices, const Query& q, StageCounts& counts) const {
     ++counts.perturbed;
+    if (const int r = view_.is_inside ? common_axis(vertices, q.point) : kernel::no_axis;
+        r != kernel::no_axis)
+      return kernel::perturbed_side_in_coordinate_plane<D>(sites_.flat(), gather(vertices).data(), q.point, r,
+                                                           view_.center.data(), view_.grid);
     const double* inner = view_.center.data();
     if (!view_.is_inside || !view_.grid.is_small()) {
       // Of determinants of sites alone more are seen to be zero without wide arithmetic.
@@ -179,6 +194,9 @@ class CentralGeometry {
   Sign side_of_facet(const Index* vertices, int slot, const Query& q) const {
     auto rows = gather(vertices);
     rows[static_cast<std::size_t>(slot)] = q.point;
+    if (const int r = common_axis(vertices, q.point); r != kernel::no_axis)
+      return kernel::side_off_coordinate_plane<D>(sites_.flat(), rows.data(), r, view_.center.data(),
+                                                  view_.grid);
     StageCounts uncounted;
     return kernel::hull_side<D>(sites_.flat(), rows.data(), view_.center.data(), view_.grid, uncounted);
   }
@@ -196,8 +214,13 @@ class CentralGeometry {
   }
   /// Says nothing of a cell: exact stages decide.
   void give_up(Index cell, bool) { functionals_.give_up(cell, false); }
-  /// Computes what is cached for a cell by elimination.
+  /// Computes what is cached for a cell: by elimination, unless its hyperplane is that of a coordinate.
   void create(Index cell, const Index* vertices, int, int) {
+    const double* const first = point(vertices[0]);
+    if (const int r = common_axis(vertices, first);
+        r != kernel::no_axis &&
+        write_coordinate_functional(cells_, cell, r, point_image(first, static_cast<std::size_t>(r))))
+      return;
     kernel::Buffer<double, D * D> rows(size() * size());
     for (std::size_t i = 0; i < size(); ++i) write_image(vertices[i], rows.data() + i * size());
     functionals_.solve(cell, rows.data());
@@ -216,11 +239,12 @@ class CentralGeometry {
     else
       write_point_image(point(v), image);
   }
+  double point_image(const double* point, std::size_t r) const {
+    const auto axis = static_cast<std::size_t>(sites_.axes[r]);
+    return (point[axis] - view_.center[axis]) * scale_[r];
+  }
   void write_point_image(const double* point, double* image) const {
-    for (std::size_t r = 0; r < size(); ++r) {
-      const auto axis = static_cast<std::size_t>(sites_.axes[r]);
-      image[r] = (point[axis] - view_.center[axis]) * scale_[r];
-    }
+    for (std::size_t r = 0; r < size(); ++r) image[r] = point_image(point, r);
   }
   /// The difference of two pairs, rounded once up to terms of second order (docs/predicates.md,
   /// "Halfspaces").
@@ -240,6 +264,12 @@ class CentralGeometry {
     return rows;
   }
 
+  /// The axis of the flat whose hyperplane q and the vertices of a cell are in, if there is one.
+  int common_axis(const Index* vertices, const double* q) const {
+    return kernel::common_axis(sites_.flat(), q, [&](int i) { return point(vertices[i]); });
+  }
+
+  CellMemory<K>& cells_;
   const BoundarySites& sites_;
   const CentralView& view_;
   std::vector<Index> inner_;

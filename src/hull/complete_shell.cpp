@@ -52,17 +52,19 @@ class Refinement {
     if (!growth.is_possible()) return false;
     if (!growth.run({.products = most_products * sieve_.num_remaining()}) && growth.open().size() > most_open)
       return false;
-    std::vector<std::size_t> in_doubt = growth.covered();
-    in_doubt.insert(in_doubt.end(), growth.open().begin(), growth.open().end());
-    std::sort(in_doubt.begin(), in_doubt.end());
+    std::vector<char> is_in_doubt(sieve_.num_remaining(), 0);
+    for (const std::size_t i : growth.covered()) is_in_doubt[i] = 1;
+    for (const std::size_t i : growth.open()) is_in_doubt[i] = 1;
     const HullState& shell = sieve_.shell();
     const HullLocator locator(shell.sites(), *shell.boundary());
     kernel::Grid grid = shell.sites().grid;
     grid.include(shell.boundary()->center().data());
-    for (const std::size_t i : in_doubt) grid.include(point(i).data());
+    for (std::size_t i = 0; i < is_in_doubt.size(); ++i)
+      if (is_in_doubt[i] != 0) grid.include(point(i).data());
     std::vector<std::size_t> beyond;
     std::vector<char> is_inside(sieve_.num_remaining(), 0);
-    for (const std::size_t i : in_doubt) {
+    for (std::size_t i = 0; i < is_in_doubt.size(); ++i) {
+      if (is_in_doubt[i] == 0) continue;
       const Sign side = locator.locate_from(growth.cell_of(i), point(i).data(), grid).side;
       if (side == Sign::negative) beyond.push_back(i);
       if (side == Sign::positive) is_inside[i] = 1;

@@ -3,6 +3,7 @@
 
 #include "base/compiled_dimension.hpp"
 #include "base/progress_meter.hpp"
+#include "kernel/coordinate_plane.hpp"
 
 #include <utility>
 
@@ -23,11 +24,16 @@ std::size_t walk(const BoundarySites& sites, const SimplicialHull& hull, const d
   for (std::size_t c = start;;) {
     internal::cancellation_point();
     for (std::size_t i = 0; i < k; ++i) simplex[i + 1] = sites.point(hull.cell(c)[i]);
+    const int r =
+        kernel::common_axis(flat, q, [&](int i) { return simplex[static_cast<std::size_t>(i) + 1]; });
     std::size_t out = k;
     for (std::size_t i = 0; i < k && out == k; ++i) {
       const double* vertex = simplex[i + 1];
       simplex[i + 1] = q;
-      if (kernel::orientation<K>(flat, simplex.data(), grid) == Sign::negative) out = i;
+      const Sign side = r == kernel::no_axis
+                            ? kernel::orientation<K>(flat, simplex.data(), grid)
+                            : kernel::side_off_coordinate_plane<K>(flat, simplex.data() + 1, r, center, grid);
+      if (side == Sign::negative) out = i;
       simplex[i + 1] = vertex;
     }
     if (out == k) return c;

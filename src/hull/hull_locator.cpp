@@ -4,6 +4,7 @@
 #include "base/compiled_dimension.hpp"
 #include "base/progress_meter.hpp"
 #include "hull/hull_fan.hpp"
+#include "kernel/coordinate_plane.hpp"
 #include "kernel/hull_stages.hpp"
 
 #include <algorithm>
@@ -15,12 +16,17 @@ namespace delone::hull {
 Sign HullLocator::side(std::size_t cell, const double* q, const kernel::Grid& grid,
                        std::vector<const double*>& scratch) const {
   internal::cancellation_point();
+  const auto corners = hull_.cell(cell);
+  if (kernel::common_axis(sites_.flat(), q, [&](int i) {
+        return sites_.point(corners[static_cast<std::size_t>(i)]);
+      }) != kernel::no_axis)
+    return Sign::zero;
   if (const compiled::BoundaryEngine* const engine = boundary_.engine())
     if (const Sign sign = compiled::certain_side(*engine, hull_.slots[cell], q); sign != Sign::zero)
       return sign;
   if (hull_.dimension == 1) return compiled::side_of_cell(sites_, hull_, cell, q, grid, scratch);
   scratch.clear();
-  for (const Index site : hull_.cell(cell)) scratch.push_back(sites_.point(site));
+  for (const Index site : corners) scratch.push_back(sites_.point(site));
   internal::StageCounts uncounted;
   return internal::with_compiled_dimension<1, 6>(hull_.corners(), [&](auto k) {
     return kernel::hull_side<k()>(sites_.flat(), scratch.data(), q, grid, uncounted);

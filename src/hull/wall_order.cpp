@@ -2,9 +2,10 @@
 #include "hull/wall_order.hpp"
 
 #include "hull/hull_analysis.hpp"
+#include "kernel/stages.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <vector>
 
 namespace delone::hull {
 namespace {
@@ -67,16 +68,21 @@ bool order_by_walls(const HullState& hull, std::vector<Index>& sites) {
   if (!boundary || !HullLocator(hull.sites(), *boundary).has_fan()) return false;
   Walls walls(hull);
   if (!walls.are_many(sites)) return false;
-  std::vector<std::pair<std::size_t, Index>> order;
+  struct Place {
+    std::size_t wall;
+    double first;  ///< the first coordinate, which mostly decides
+    Index site;
+  };
+  std::vector<Place> order;
   order.reserve(sites.size());
-  for (const Index site : sites) order.emplace_back(walls.wall(site), site);
-  const auto d = static_cast<std::size_t>(hull.sites().ambient);
-  std::sort(order.begin(), order.end(), [&](const auto& a, const auto& b) {
+  for (const Index site : sites) order.push_back({walls.wall(site), hull.sites().point(site)[0], site});
+  const int d = hull.sites().ambient;
+  std::sort(order.begin(), order.end(), [&](const Place& a, const Place& b) {
+    if (a.wall != b.wall) return a.wall < b.wall;
     if (a.first != b.first) return a.first < b.first;
-    const double *p = hull.sites().point(a.second), *q = hull.sites().point(b.second);
-    return std::lexicographical_compare(p, p + d, q, q + d);
+    return kernel::lexicographically_less(hull.sites().point(a.site), hull.sites().point(b.site), d);
   });
-  std::transform(order.begin(), order.end(), sites.begin(), [](const auto& entry) { return entry.second; });
+  std::transform(order.begin(), order.end(), sites.begin(), [](const Place& place) { return place.site; });
   return true;
 }
 

@@ -360,6 +360,7 @@ void Campaign::hull_filter(const Simplex<Int>& truth, const std::vector<const do
     Index vertices[K];
     for (int i = 0; i < K; ++i) vertices[i] = static_cast<Index>(i + 1);
     if (inside == Sign::negative) std::swap(vertices[0], vertices[1]);
+    for (int i = 0; i < K; ++i) memory.layout().set_vertex(memory.links(0), i, vertices[i]);
     cells.create(0, vertices, -1, 0);
     for (std::size_t i = 0; i < queries.size(); ++i) {
       const auto query = cells.make_query(queries[i]);

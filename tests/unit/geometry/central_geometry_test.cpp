@@ -42,6 +42,11 @@ struct Hull {
     geometry->update_box();
   }
   Index size() const { return static_cast<Index>(sites.size()); }
+  /// Makes cell 0.
+  void create(const Index* vertices) {
+    for (int i = 0; i < 3; ++i) memory.layout().set_vertex(memory.links(0), i, vertices[i]);
+    geometry->create(0, vertices, -1, 0);
+  }
 
   BoundarySites sites;
   CentralView view;
@@ -70,7 +75,7 @@ TEST(CentralGeometry, TheFilterSaysTheExactSideOfPoints) {
       const Sign inner = hull.geometry->side(cell, hull.view.center.data(), counts);
       if (inner == Sign::zero) continue;
       if (inner == Sign::negative) std::swap(cell[0], cell[1]);
-      hull.geometry->create(0, cell, -1, 0);
+      hull.create(cell);
       for (Index v = 1; v <= hull.size(); ++v) {
         const auto q = hull.geometry->make_query(hull.geometry->point(v));
         if (hull.geometry->is_at(cell[0], q) || hull.geometry->is_at(cell[1], q) ||
@@ -103,6 +108,53 @@ TEST(CentralGeometry, TheFilterSaysTheExactSideOfPoints) {
   }
 }
 
+TEST(CentralGeometry, CellsOfAWallHaveItsExactFunctional) {
+  random::Generator generator(3);
+  StageCounts counts;
+  for (const double size : {1.0, 0x1p-300, 1e30}) {
+    for (const int axis : {0, 1, 2}) {
+      std::vector<double> x = corners_of_a_cube_and_points(generator, false);
+      for (std::size_t i = 8; i < 30; ++i) x[3 * i + static_cast<std::size_t>(axis)] = axis == 1 ? 4 : 0;
+      for (double& coordinate : x) coordinate *= size;
+      Hull hull(x, {1.75 * size, 2.25 * size, 2.125 * size}, true, {1, 2, 3, 5});
+      const auto is_on_wall = [&](Index v) {
+        return hull.geometry->point(v)[axis] == (axis == 1 ? 4 * size : 0);
+      };
+      for (int round = 0; round < 30; ++round) {
+        Index cell[3];
+        for (Index& v : cell) v = 9 + static_cast<Index>(generator.below(22));
+        const Sign inner = hull.geometry->side(cell, hull.view.center.data(), counts);
+        if (inner == Sign::zero) continue;
+        if (inner == Sign::negative) std::swap(cell[0], cell[1]);
+        hull.create(cell);
+        for (Index v = 1; v <= hull.size(); ++v) {
+          if (std::find(cell, cell + 3, v) != cell + 3) continue;
+          const auto q = hull.geometry->query_at(v);
+          const auto evaluator = hull.geometry->evaluator(q);
+          const double value = evaluator.value(0), threshold = evaluator.threshold(0);
+          EXPECT_LT(threshold, 0x1p-48);
+          EXPECT_EQ(hull.geometry->proves_tie(0, value, q), is_on_wall(v));
+          EXPECT_EQ(hull.geometry->side(cell, q.point, counts), is_on_wall(v) ? Sign::zero : Sign::positive);
+          EXPECT_EQ(std::fabs(value) > threshold, !is_on_wall(v));
+          if (!is_on_wall(v)) continue;
+          kernel::Buffer<const double*, 3> rows(3);
+          for (std::size_t i = 0; i < 3; ++i) rows[i] = hull.geometry->point(cell[i]);
+          EXPECT_EQ(hull.geometry->perturbed_side(cell, q, counts),
+                    kernel::perturbed_hull_side<3>(hull.sites.flat(), rows.data(), q.point,
+                                                   hull.view.center.data(), hull.view.grid));
+          for (int slot = 0; slot < 3; ++slot) {
+            auto moved = rows;
+            moved[static_cast<std::size_t>(slot)] = q.point;
+            EXPECT_EQ(hull.geometry->side_of_facet(cell, slot, q),
+                      kernel::hull_side<3>(hull.sites.flat(), moved.data(), hull.view.center.data(),
+                                           hull.view.grid, counts));
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST(CentralGeometry, WithoutAnInnerPointNothingIsCertainAndTiesAreBrokenFromAVertex) {
   random::Generator generator(2);
   StageCounts counts;
@@ -110,7 +162,7 @@ TEST(CentralGeometry, WithoutAnInnerPointNothingIsCertainAndTiesAreBrokenFromAVe
   Index cell[] = {5, 6, 7};  // the upper face of the cube
   if (hull.geometry->side(cell, hull.geometry->point(1), counts) == Sign::negative)
     std::swap(cell[0], cell[1]);
-  hull.geometry->create(0, cell, -1, 0);
+  hull.create(cell);
   const auto q = hull.geometry->make_query(hull.geometry->point(8));
   EXPECT_FALSE(std::fabs(hull.geometry->evaluator(q).value(0)) > hull.geometry->evaluator(q).threshold(0));
   EXPECT_EQ(hull.geometry->exact_side(cell, -1, q, counts), Sign::zero);

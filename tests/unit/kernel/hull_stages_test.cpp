@@ -4,6 +4,7 @@
 #include "kernel/hull_stages.hpp"
 
 #include "base/random.hpp"
+#include "kernel/coordinate_plane.hpp"
 #include "kernel/predicates.hpp"
 #include "row_case.hpp"
 #include "scale.hpp"
@@ -244,6 +245,69 @@ TEST(HullPerturbation, EveryBranch) {
   const Sign side = hull_side<3>(c.flat(), c.rows.data(), inner.data(), c.grid, counts);
   EXPECT_EQ(perturbed_hull_side<3>(c.flat(), c.rows.data(), c.q(), inner.data(), c.grid, side),
             Sign::negative);
+}
+
+/// Facets in the hyperplane of a coordinate, perhaps of fewer axes than there are coordinates.
+template <int K>
+void expect_the_same_in_coordinate_planes() {
+  random::Generator generator(static_cast<std::uint64_t>(K) + 10);
+  std::map<Sign, int> seen;
+  int off_axes = 0, zeros = 0;
+  for (std::size_t round = 0; round < test::scaled_count(6000); ++round) {
+    const int ambient = K + static_cast<int>(round % 2), r = static_cast<int>(generator.below(K));
+    std::vector<double> all =
+        random_numbers(static_cast<std::size_t>((K + 2) * ambient), round % 6, generator);
+    std::vector<int> axes(static_cast<std::size_t>(K));
+    std::iota(axes.begin(), axes.end(), ambient - K);
+    const auto at = [&](int row) -> double& {
+      return all[static_cast<std::size_t>(row * ambient + axes[static_cast<std::size_t>(r)])];
+    };
+    for (int row = 1; row <= K; ++row) at(row) = at(0);
+    std::vector<double> inner(all.end() - ambient, all.end());
+    all.resize(all.size() - inner.size());
+    RowCase c(RowForm::point, ambient, all, axes);
+    c.grid.include(inner.data());
+    StageCounts counts;
+    const auto hyperplane = [&] {
+      return common_axis(c.flat(), c.q(), [&](int i) { return c.rows[static_cast<std::size_t>(i)]; });
+    };
+    const Sign side = hull_side<K>(c.flat(), c.rows.data(), inner.data(), c.grid, counts);
+    if (inner[static_cast<std::size_t>(axes[static_cast<std::size_t>(r)])] != at(0)) {
+      EXPECT_EQ(side_off_coordinate_plane<K>(c.flat(), c.rows.data(), r, inner.data(), c.grid), side);
+      EXPECT_EQ(side_off_coordinate_plane<0>(c.flat(), c.rows.data(), r, inner.data(), c.grid), side);
+      zeros += side == Sign::zero ? 1 : 0;
+    }
+    if (side == Sign::zero) continue;
+    EXPECT_EQ(hyperplane(), r);
+    EXPECT_EQ(hull_side<K>(c.flat(), c.rows.data(), c.q(), c.grid, counts), Sign::zero);
+    if (side == Sign::negative) std::swap(c.rows[0], c.rows[1]);
+    if (std::any_of(c.rows.begin(), c.rows.end() - 1, [&](const double* row) {
+          return std::all_of(axes.begin(), axes.end(), [&](int axis) { return row[axis] == c.q()[axis]; });
+        }))
+      continue;
+    const Sign sign = perturbed_hull_side<K>(c.flat(), c.rows.data(), c.q(), inner.data(), c.grid);
+    EXPECT_EQ(perturbed_side_in_coordinate_plane<K>(c.flat(), c.rows.data(), c.q(), r, inner.data(), c.grid),
+              sign);
+    EXPECT_EQ(perturbed_side_in_coordinate_plane<0>(c.flat(), c.rows.data(), c.q(), r, inner.data(), c.grid),
+              sign);
+    ++seen[sign];
+    at(K) = std::nextafter(at(K), huge);  // q, which RowCase has a copy of
+    RowCase moved(RowForm::point, ambient, all, axes);
+    off_axes += common_axis(moved.flat(), moved.q(),
+                            [&](int i) { return moved.rows[static_cast<std::size_t>(i)]; }) == no_axis
+                    ? 1
+                    : 0;
+  }
+  EXPECT_GT(seen[Sign::positive], 100);
+  EXPECT_GT(seen[Sign::negative], 100);
+  EXPECT_GT(off_axes, 1000);
+  EXPECT_GT(zeros, 10);
+}
+
+TEST(CoordinatePlane, PredicatesAreThoseOfHulls) {
+  expect_the_same_in_coordinate_planes<2>();
+  expect_the_same_in_coordinate_planes<3>();
+  expect_the_same_in_coordinate_planes<4>();
 }
 
 /// The facets of the hull by definition: every k independent rows that no other row is in conflict with.
