@@ -124,7 +124,22 @@ class CellStore {
     const Index* const across = neighbors(cell);
     for (int i = 0; i <= dimension(); ++i) prefetch(across[i]);
   }
-  /// The same for the neighbor of an infinite cell across its hull facet.
+  /// Prefetches the marks and links of all neighbors of a cell, without their functionals.
+  [[gnu::always_inline]] void prefetch_around(Index cell) const {
+    const CellLayout<K> layout = memory_.layout();
+    const cells::CellRecords<K> records = memory_.records();
+    const Index* const across = neighbors(cell);
+    for (int i = 0; i <= dimension(); ++i) {
+      const double* const mark = records.certificate(across[i]);
+      if (layout.certificates_are_apart() || layout.links_are_apart()) {
+        internal::prefetch(mark);
+        prefetch_links(across[i]);
+      } else {
+        prefetch_bytes(mark, sizeof(double) + layout.num_link_ids() * sizeof(Index));
+      }
+    }
+  }
+  /// Prefetches the neighbor of an infinite cell across its hull facet.
   [[gnu::always_inline]] void prefetch_across_hull(Index cell) const {
     prefetch(neighbors(cell)[infinite_slot(cell)]);
   }

@@ -22,11 +22,12 @@ template <int K>
 class Hole {
  public:
   /// A facet of the border: the vertex opposite it is in slot `slot` of the cell in the hole, which is number
-  /// `inner`, and in slot `mirror` of the survivor.
+  /// `inner`, and `outside`, in slot `mirror`, of the survivor.
   struct BorderFacet {
     Index survivor;
     std::uint32_t inner;
-    int slot, mirror;
+    Index outside;
+    std::uint16_t slot, mirror;
   };
 
   /// Marks the cells around vertex v, one of which is `cell`, and makes them the zone. v goes with them.
@@ -38,20 +39,19 @@ class Hole {
     auto marks = cells.marks();
     const auto add = [&](Index next) {
       zone.reserve(1, width());
-      slots_.push_back(cells.slot_of_vertex(next, v));
       zone.cells[zone.num_cells++] = next;
       marks.set(next, Mark::in_conflict);
-      cells.prefetch_neighbors(next);
-      num_finite_ += geometry.is_infinite(next) ? 0 : 1;
+      cells.prefetch_around(next);
+      slots_.push_back(copy_vertices(cells, next, v));
     };
     add(cell);
     for (std::size_t i = 0; i < zone.num_cells; ++i) {
       const Index* const neighbors = cells.neighbors(zone.cells[i]);
       for (int slot = 0; slot < static_cast<int>(width()); ++slot)
         if (slot != slots_[i] && !marks.is_in_conflict(neighbors[slot])) add(neighbors[slot]);
+      add_border(cells, zone.cells[i], static_cast<std::uint32_t>(i), slots_[i]);
     }
-    number_vertices(cells, geometry, {zone.cells.data(), zone.num_cells});
-    for (std::uint32_t i = 0; i < zone.num_cells; ++i) add_border(cells, zone.cells[i], i, slots_[i]);
+    number_vertices(geometry);
   }
 
   /// Marks the given cells, which are different, and makes them the zone. All their vertices stay.
@@ -65,9 +65,9 @@ class Hole {
     for (const Index cell : dead) {
       zone.cells[zone.num_cells++] = cell;
       marks.set(cell, Mark::in_conflict);
-      num_finite_ += geometry.is_infinite(cell) ? 0 : 1;
+      copy_vertices(cells, cell, invalid_index);
     }
-    number_vertices(cells, geometry, dead);
+    number_vertices(geometry);
     for (std::uint32_t i = 0; i < dead.size(); ++i)
       for (int slot = 0; slot < static_cast<int>(width()); ++slot)
         if (!marks.is_in_conflict(cells.neighbors(dead[i])[slot])) add_border(cells, dead[i], i, slot);
@@ -99,24 +99,34 @@ class Hole {
     zone.num_undecided = zone.num_open = 0;
     num_finite_ = 0;
     slots_.clear();
+    numbers_of_cells_.clear();
     border_.clear();
   }
-  template <class Geometry>
-  void number_vertices(const CellStore<K>& cells, const Geometry& geometry, std::span<const Index> dead) {
-    numbers_.clear(4 * dead.size() / width() + 16);
-    ids_.assign(1, index(infinite_vertex));
-    numbers_of_cells_.resize(dead.size() * width());
-    Index* number = numbers_of_cells_.data();
-    for (const Index cell : dead) {
-      const auto vertices = cells.vertices(cell);
-      const Index* const v = vertices;
-      for (std::size_t i = 0; i < width(); ++i, ++number)
-        *number = v[i] == index(infinite_vertex) ? 0
-                  : v[i] == leaving_             ? invalid_index
-                                                 : number_of(v[i], geometry);
+  /// Adds the vertices of a cell to the list, by their ids, and returns the slot of one of them.
+  int copy_vertices(const CellStore<K>& cells, Index cell, Index v) {
+    const std::size_t first = numbers_of_cells_.size();
+    numbers_of_cells_.resize(first + width());
+    Index* const ids = numbers_of_cells_.data() + first;
+    const auto vertices = cells.vertices(cell);
+    const Index* const ids_of_cell = vertices;
+    int slot = 0;
+    bool is_infinite = false;
+    for (int i = 0; i < static_cast<int>(width()); ++i) {
+      ids[i] = ids_of_cell[i];
+      is_infinite |= ids[i] == index(infinite_vertex);
+      slot |= i & -static_cast<int>(ids[i] == v);
     }
-    if (leaving_ == invalid_index) return;
-    for (std::size_t cell = 0; cell < dead.size(); ++cell)
+    num_finite_ += is_infinite ? 0 : 1;
+    return slot;
+  }
+  /// Replaces ids by numbers.
+  template <class Geometry>
+  void number_vertices(const Geometry& geometry) {
+    numbers_.clear(ids_.size());  // of the last hole
+    ids_.assign(1, index(infinite_vertex));
+    for (Index& v : numbers_of_cells_)
+      v = v == index(infinite_vertex) ? 0 : v == leaving_ ? invalid_index : number_of(v, geometry);
+    for (std::size_t cell = 0; cell < slots_.size(); ++cell)
       numbers_of_cells_[cell * width() + static_cast<std::size_t>(slots_[cell])] =
           static_cast<Index>(ids_.size());
   }
@@ -131,7 +141,9 @@ class Hole {
   }
   void add_border(const CellStore<K>& cells, Index dead, std::uint32_t inner, int slot) {
     const Index survivor = cells.neighbors(dead)[slot];
-    border_.push_back({survivor, inner, slot, cells.slot_of_neighbor(survivor, dead)});
+    const int mirror = cells.slot_of_neighbor(survivor, dead);
+    border_.push_back({survivor, inner, cells.vertex(survivor, mirror), static_cast<std::uint16_t>(slot),
+                       static_cast<std::uint16_t>(mirror)});
   }
 
   int dimension_ = K;

@@ -112,33 +112,33 @@ class HoleFiller {
   bool find_cells(bool exact, StageCounts& counts) {
     const std::span<const BorderFacet> border = hole_.border();
     is_exact_ = exact;
+    if (exact) found_.renew_keys();
     found_.begin(hole_);
-    start_.resize(functions_size_);
+    origins_.clear();
+    num_functions_ = 0;
+    slots_.resize(width());
     const bool is_star = hole_.leaving() != invalid_index;
     const std::size_t most = is_star ? exact ? static_cast<std::size_t>(-1) : 16 * hole_.num_cells() + 256
                                      : 4 * hole_.num_cells() + 16;  // a wrong apex may lead on forever
+    // Cells are taken in the order in which they were found: then searches do not wait for each other, and
+    // few steps of elimination lead to a cell.
+    std::size_t next = 0;
     for (std::uint32_t f = 0; f < border.size(); ++f) {
-      if (found_.beyond_border(f) != none) continue;
+      if (found_.beside(f) != none) continue;
       const Start start = find_start(border[f]);
       if (start == Start::nowhere) continue;
-      if (!exact) search_.solve(source_.data(), start_.data());
-      reserve_cell();
-      if (!add_cell(source_.data(), start_.data(), border[f].slot, start == Start::outside, false, counts))
+      const int slot = border[f].slot;
+      const std::uint32_t number = add_functions();
+      if (!exact) search_.solve(source_.data(), functions(number));
+      found_.reserve(1);
+      if (!add_cells(source_.data(), number, {&slot, 1}, start == Start::outside, false,
+                     f - static_cast<std::uint32_t>(slot), counts))
         return false;
-      // In the order in which they were found: then searches do not wait for each other, and few steps of
-      // elimination lead to a cell.
-      for (std::size_t next = 0; next < found_.unmatched().size(); ++next) {
-        const std::uint32_t facet = found_.unmatched()[next];
-        if (found_.beside(facet) != none) continue;
-        if (found_.size() > most) return false;
-        if (found_.size() % 512 == 511) internal::cancellation_point();
-        reserve_cell();
-        const std::size_t cell = found_.cell_of(facet);
-        if (!add_cell(found_.vertices(cell), functions_.data() + cell * functions_size_,
-                      static_cast<int>(facet - cell * width()), true, !found_.is_odd(cell), counts))
-          return false;
+      for (; next < found_.size(); ++next) {
+        if (found_.size() > most || found_.has_excess()) return false;
+        if (next % 512 == 511) internal::cancellation_point();
+        if (!add_neighbors(next, counts)) return false;
       }
-      found_.clear_unmatched();
     }
     return found_.are_all_matched();
   }
@@ -156,10 +156,9 @@ class HoleFiller {
     opposite = inner[facet.slot];
     if (is_finite && (hole_.leaving() != invalid_index || is_positive(source_))) return Start::inside;
     // The cell that was there is infinite, or vertices have moved and turned it inside out.
-    const Index outside = cells_.vertex(facet.survivor, facet.mirror);
-    if (outside == index(infinite_vertex)) return Start::nowhere;
+    if (facet.outside == index(infinite_vertex)) return Start::nowhere;
     opposite = static_cast<Index>(hole_.vertices().size()) + 1;
-    geometry_.place_one(outside, search_.row(opposite));
+    geometry_.place_one(facet.outside, search_.row(opposite));
     return Start::outside;
   }
   bool is_positive(std::span<const Index> numbers) {
@@ -168,52 +167,74 @@ class HoleFiller {
     return geometry_.orientation(simplex_.data()) == Sign::positive;
   }
 
-  void reserve_cell() {
-    found_.reserve_one();
-    const std::size_t size = found_.capacity() * functions_size_;
-    if (functions_.size() < size) functions_.resize(size);
+  /// Where the functions of a finite cell are: with those of the cell that it was found from. One step of
+  /// elimination leads from these to its own, which few cells need.
+  struct Origin {
+    std::uint32_t functions;  // their number; none for an infinite cell
+    int slot;  // the only one where the vertices of the two cells differ; −1: no step is needed
+  };
+  double* functions(std::size_t number) { return functions_.data() + number * functions_size_; }
+  /// Makes room for those of one more cell, and returns their number.
+  std::uint32_t add_functions() {
+    const std::size_t size = (num_functions_ + 1) * functions_size_;
+    if (functions_.size() < size) functions_.resize(2 * size);
+    return static_cast<std::uint32_t>(num_functions_++);
   }
 
-  /// Adds the cell beyond a facet of a cell, or on its side where that is in the hole. REQUIRES
-  /// reserve_cell(). Returns false if that takes too long.
-  bool add_cell(const Index* source, const double* functions, int slot, bool beyond, bool is_odd,
-                StageCounts& counts) {
-    const Index apex = find_apex(source, functions, slot, beyond, is_odd, counts);
-    if (apex == invalid_index) return false;
-    const std::size_t cell = found_.add(source, slot, apex, is_odd);
-    if (apex != 0 && !is_exact_) {
-      double* const of_cell = functions_.data() + cell * functions_size_;
-      if (apex == source[slot])
-        std::copy_n(functions, functions_size_, of_cell);
-      else
-        search_.replace(functions, slot, apex, of_cell);
+  /// Adds the cells beyond all facets of a cell that have none yet. Returns false if that takes too long.
+  bool add_neighbors(std::size_t cell, StageCounts& counts) {
+    Origin origin = origins_[cell];
+    if (origin.functions == none) return true;
+    const std::size_t num_slots = found_.find_open(cell, slots_.data());
+    if (num_slots == 0) return true;
+    found_.reserve(num_slots);
+    if (origin.slot >= 0 && !is_exact_) {
+      const std::uint32_t own = add_functions();
+      search_.replace(functions(origin.functions), origin.slot,
+                      found_.vertices(cell)[static_cast<std::size_t>(origin.slot)], functions(own));
+      origin = {own, -1};
     }
-    found_.match_facets(cell, apex != 0);
+    return add_cells(found_.vertices(cell), origin.functions, {slots_.data(), num_slots}, true,
+                     !found_.is_odd(cell), found_.facet(cell * width()), counts);
+  }
+  /// Adds the cells beyond facets of a cell, or on its side where that is in the hole. `number`: of its
+  /// functions; `across`: what to add to a slot for the number of its facet. REQUIRES that the cells found
+  /// have room. Returns false if that takes too long.
+  bool add_cells(const Index* source, std::uint32_t number, std::span<const int> slots, bool beyond,
+                 bool is_odd, std::uint32_t across, StageCounts& counts) {
+    // Where vertices have moved, the cell at the border may stay.
+    const bool may_stay = !beyond && hole_.leaving() == invalid_index;
+    if (!spend(slots.size() * hole_.vertices().size())) return false;
+    if (!is_exact_) search_.search(functions(number), slots, beyond, may_stay, source);
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+      const int slot = slots[i];
+      const Index apex = find_apex(i, source, slot, may_stay, is_odd, counts);
+      if (apex == invalid_index) return false;
+      found_.add(source, slot, apex, across + static_cast<std::uint32_t>(slot));
+      origins_.push_back({apex == 0 ? none : number, apex == source[slot] ? -1 : slot});
+    }
     return true;
   }
 
   /// The number of the vertex that makes the cell there, 0 for an infinite one; invalid_index if to find it
-  /// takes too long.
-  Index find_apex(const Index* source, const double* functions, int slot, bool beyond, bool is_odd,
+  /// takes too long. `i`: which facet of the last search this is.
+  Index find_apex(std::size_t i, const Index* source, int slot, bool may_stay, bool is_odd,
                   StageCounts& counts) {
-    // Where vertices have moved, the cell at the border may stay.
-    const bool may_stay = !beyond && hole_.leaving() == invalid_index;
     contenders_.clear();
-    if (!spend(hole_.vertices().size())) return invalid_index;
     if (!is_exact_) {
-      const std::span<const std::uint32_t> found = search_.first(functions, slot, beyond, may_stay, source);
+      const std::span<const std::uint32_t> found = search_.found(i);
       if (found.empty()) return 0;
       if (found.size() == 1) return found.front();
-      for (const std::uint32_t number : found) contenders_.push_back(hole_.id(number));
+      for (const std::uint32_t candidate : found) contenders_.push_back(hole_.id(candidate));
     } else {
-      for (Index number = 1; number <= hole_.vertices().size(); ++number) {
-        const Index* const in_source = std::find(source, source + width(), number);
+      for (Index candidate = 1; candidate <= hole_.vertices().size(); ++candidate) {
+        const Index* const in_source = std::find(source, source + width(), candidate);
         if (in_source == source + width() || (may_stay && in_source == source + slot))
-          contenders_.push_back(hole_.id(number));
+          contenders_.push_back(hole_.id(candidate));
       }
     }
     simplex_.resize(width());
-    for (std::size_t i = 0; i < width(); ++i) simplex_[i] = hole_.id(source[i]);
+    for (std::size_t j = 0; j < width(); ++j) simplex_[j] = hole_.id(source[j]);
     const Index first =
         first_of_contenders(simplex_.data(), slot, is_odd ? Sign::negative : Sign::positive, counts);
     return first == invalid_index ? first : hole_.number(first);
@@ -237,8 +258,7 @@ class HoleFiller {
       for (std::size_t c = 0; c < found_.size(); ++c)
         num_infinite += write_cell(c) ? 1 : 0;  // those are infinite
       const bool reaches_hull = hole_.num_finite() < hole_.num_cells();
-      is_right = (num_infinite == 0 || reaches_hull) && found_.are_matches_right(hole_) &&
-                 create_functionals() &&
+      is_right = (num_infinite == 0 || reaches_hull) && found_.are_matches_right() && create_functionals() &&
                  (is_known || (found_.have_all_vertices(hole_) && is_delaunay(num_infinite > 0, counts)));
     } catch (...) {
       discard();
@@ -248,14 +268,13 @@ class HoleFiller {
       discard();
       return std::nullopt;
     }
-    for (std::size_t f = 0; f < hole_.border().size(); ++f) {
-      const BorderFacet& facet = hole_.border()[f];
-      cells_.neighbors(facet.survivor)[facet.mirror] = created_[found_.cell_of(found_.beyond_border(f))];
+    const std::span<const BorderFacet> border = hole_.border();
+    for (std::uint32_t f = 0; f < border.size(); ++f) {
+      if (f + 8 < border.size()) cells_.prefetch_links(border[f + 8].survivor);
+      cells_.neighbors(border[f].survivor)[border[f].mirror] = created_[found_.cell_of(found_.beside(f))];
     }
-    for (std::size_t i = 0; i < zone.num_cells; ++i) {
-      zone.num_infinite += geometry_.is_infinite(zone.cells[i]) ? 1 : 0;
-      cells_.release(zone.cells[i]);
-    }
+    for (std::size_t i = 0; i < zone.num_cells; ++i) cells_.release(zone.cells[i]);
+    zone.num_infinite = hole_.num_cells() - hole_.num_finite();
     return Filling{found_.size(), num_infinite, created_.front()};
   }
 
@@ -276,20 +295,17 @@ class HoleFiller {
     const Index* const numbers = found_.vertices(c);
     Index* const written = written_.data() + c * width();
     Index* const neighbors = cells_.neighbors(cell);
+    const std::size_t is_odd = found_.is_odd(c);
     bool is_infinite = false;
     for (std::size_t i = 0; i < width(); ++i) {
-      const std::uint32_t other = found_.beside(c * width() + i);
+      const std::uint32_t other = found_.beside(found_.facet(c * width() + i));
+      const std::size_t to = i < 2 ? i ^ is_odd : i;  // the first two are exchanged if it is odd
       is_infinite |= numbers[i] == 0;
-      written[i] = numbers[i];
-      neighbors[i] = other < found_.first_facet() ? hole_.border()[other].survivor
-                                                  : created_[found_.cell_of(other - found_.first_facet())];
+      written[to] = numbers[i];
+      neighbors[to] =
+          found_.is_of_border(other) ? hole_.border()[other].survivor : created_[found_.cell_of(other)];
+      cells_.set_vertex(cell, static_cast<int>(to), hole_.id(numbers[i]));
     }
-    if (found_.is_odd(c)) {
-      std::swap(written[0], written[1]);
-      std::swap(neighbors[0], neighbors[1]);
-    }
-    for (std::size_t i = 0; i < width(); ++i)
-      cells_.set_vertex(cell, static_cast<int>(i), hole_.id(written[i]));
     if (!is_infinite) {
       finite_.push_back(cell);
       simplices_.push_back(written);
@@ -329,16 +345,15 @@ class HoleFiller {
   /// have moved, the old cells may have been anywhere, and who calls proves that (Settling).
   bool is_delaunay(bool has_infinite, StageCounts& counts) {
     const bool is_star = hole_.leaving() != invalid_index;
-    for (std::uint32_t here = 0; here < found_.num_facets(); ++here) {
-      const std::uint32_t other = found_.beside(here), there = other - found_.first_facet();
+    for (std::size_t here = 0; here < found_.num_facets(); ++here) {
+      const std::uint32_t facet_here = found_.facet(here), other = found_.beside(facet_here);
       const Index apex = found_.vertex_opposite(here);
-      if (other < found_.first_facet()) {
+      if (found_.is_of_border(other)) {
         const BorderFacet& facet = hole_.border()[other];
-        if (is_star ? hole_.id(apex) == cells_.vertex(facet.survivor, facet.mirror)
-                    : !is_locally_delaunay(facet.survivor, apex, counts))
+        if (is_star ? hole_.id(apex) == facet.outside : !is_locally_delaunay(facet.survivor, apex, counts))
           return false;
-      } else if (there < here) {
-        if (!is_locally_delaunay(created_[found_.cell_of(there)], apex, counts)) return false;
+      } else if (other < facet_here) {
+        if (!is_locally_delaunay(created_[found_.cell_of(other)], apex, counts)) return false;
       }
     }
     return !has_infinite || !is_star || is_outside_of_all(counts);
@@ -362,7 +377,7 @@ class HoleFiller {
   bool is_outside_of_all(StageCounts& counts) {
     int tries = 8;
     for (const BorderFacet& facet : hole_.border()) {
-      const Index v = cells_.vertex(facet.survivor, facet.mirror);
+      const Index v = facet.outside;
       if (v == index(infinite_vertex) || hole_.has_vertex(v)) continue;
       const Query q = geometry_.query_at(v);
       const auto functional = geometry_.evaluator(q);
@@ -390,8 +405,10 @@ class HoleFiller {
   HoleCells<K> found_;
   bool is_exact_ = false;
   std::size_t looks_left_ = 0;
-  std::vector<double> functions_;  // of finite cells that have been found
-  std::vector<double> start_;
+  std::vector<Origin> origins_;  // of the cells that have been found
+  std::size_t num_functions_ = 0;
+  std::vector<double> functions_;
+  std::vector<int> slots_;
   std::vector<Index> source_, simplex_, contenders_;
   // The cells that have been created.
   std::vector<Index> created_, written_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The two loops of a search for the cells of a hole: from the functions of a cell to those of a neighbor, and
-// over all vertices that may be beyond a facet. Compiled for several instruction sets; the best one of the
+// over all vertices that may be beyond its facets. Compiled for several instruction sets; the best one of the
 // machine is chosen at run time.
 #pragma once
 
@@ -24,26 +24,30 @@ constexpr std::size_t size_of_functions(int k) {
 /// finite where the vertex is on the facet opposite the slot. Cost O(k²).
 void replace_vertex(int k, const double* functions, int slot, const double* row, double* replaced);
 
-/// A search of the vertex that comes first in the pencil of a facet.
+/// A search of the vertices that come first in the pencils of facets of one cell.
 struct PencilTask {
   int k;
   const double* functions;
-  int slot;     ///< of the vertex opposite the facet
-  double side;  ///< −1: beyond the facet; 1: on the side of the cell
+  const int* slots;  ///< of the vertices opposite the facets
+  std::size_t num_slots;
+  double side;  ///< −1: beyond the facets; 1: on the side of the cell
   /// Coordinate r of candidate i is entry r·stride + i, and the lifts come last, infinite for what must not
-  /// be found. The stride is a multiple of 8.
+  /// be found. The stride is a multiple of 16.
   const double* rows;
   std::size_t stride;
+  double largest_lift;       ///< of their magnitudes
   double* heights;           ///< scratch memory, stride doubles
   double* distances;         ///< the same
   const std::uint32_t* own;  ///< the candidates that are vertices of the cell: these are not found
   std::size_t num_own;
-  double height_error, distance_error;  ///< bounds on the errors of a value
 };
 
-/// Writes all candidates that may be first to `found`, which has room for all, and returns how many: those
-/// whose least possible ratio of height and distance from the facet is at most the least possible one of all
-/// that are certainly on the side.
-std::size_t find_first(const PencilTask& task, std::uint32_t* found);
+/// How many words have a bit for each candidate.
+constexpr std::size_t words_of_candidates(std::size_t stride) { return (stride + 63) / 64; }
+
+/// For one facet after the other, sets the bits of all candidates that may be first, and clears the others:
+/// those may be whose least possible ratio of height and distance from the facet is at most the least
+/// possible one of all that are certainly on the side. Cost O(k) per candidate and facet.
+void find_first(const PencilTask& task, std::uint64_t* found);
 
 }  // namespace delone::geometry

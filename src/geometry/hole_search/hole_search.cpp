@@ -2,6 +2,7 @@
 #include "geometry/hole_search/hole_search.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -11,11 +12,13 @@ namespace delone::geometry {
 void HoleSearch::begin(int k, std::size_t num_candidates, std::size_t num_vertices) {
   k_ = k;
   num_candidates_ = num_candidates;
-  stride_ = (num_candidates + 7) / 8 * 8;
+  stride_ = (num_candidates + 15) / 16 * 16;
   const auto width = static_cast<std::size_t>(k) + 1;
   if (rows_.size() < (num_vertices + 1) * width) rows_.resize(2 * (num_vertices + 1) * width);
   if (lanes_.size() < stride_ * width) lanes_.resize(2 * stride_ * width);
-  if (found_.size() < stride_) found_.resize(2 * stride_);
+  if (found_.size() < stride_ * width) found_.resize(2 * stride_ * width);
+  bits_.resize(words_of_candidates(stride_) * width);
+  ends_.resize(width + 1);
   if (values_.size() < 2 * stride_) values_.resize(4 * stride_);
   own_.resize(width);
   matrix_.resize(2 * width * width);
@@ -70,38 +73,25 @@ void HoleSearch::solve(const Index* vertices, double* functions) {
   }
 }
 
-std::span<const std::uint32_t> HoleSearch::first(const double* functions, int slot, bool beyond,
-                                                 bool may_stay, const Index* vertices) {
+void HoleSearch::search(const double* functions, std::span<const int> slots, bool beyond, bool may_stay,
+                        const Index* vertices) {
   const auto k = static_cast<std::size_t>(k_);
-  const std::size_t width = width_of_functions(k_);
   std::size_t num_own = 0;
   for (std::size_t i = 0; i <= k; ++i)
     if (vertices[i] != 0 && vertices[i] <= num_candidates_ &&
-        !(may_stay && i == static_cast<std::size_t>(slot)))
+        !(may_stay && std::find(slots.begin(), slots.end(), static_cast<int>(i)) != slots.end()))
       own_[num_own++] = static_cast<std::uint32_t>(vertices[i] - 1);
-  // Images and lifts are off by a few roundings, and so are functions relative to the magnitudes of their
-  // coefficients, which a handful of steps of elimination has magnified.
-  constexpr double unit = 0x1p-42;
-  double of_height = largest_lift_, of_distance = 0;
-  for (std::size_t r = 0; r <= k; ++r) {
-    of_height += std::fabs(functions[r * width + k + 1]);
-    of_distance += std::fabs(functions[r * width + static_cast<std::size_t>(slot)]);
+  find_first({k_, functions, slots.data(), slots.size(), beyond ? -1.0 : 1.0, lanes_.data(), stride_,
+              largest_lift_, values_.data(), values_.data() + stride_, own_.data(), num_own},
+             bits_.data());
+  const std::uint64_t* word = bits_.data();
+  std::size_t num_found = 0;
+  for (std::size_t facet = 0; facet < slots.size(); ++facet) {
+    for (std::uint32_t first = 1; first <= stride_; first += 64)
+      for (std::uint64_t bits = *word++; bits != 0; bits &= bits - 1)
+        found_[num_found++] = first + static_cast<std::uint32_t>(std::countr_zero(bits));
+    ends_[facet + 1] = num_found;
   }
-  const PencilTask task{k_,
-                        functions,
-                        slot,
-                        beyond ? -1.0 : 1.0,
-                        lanes_.data(),
-                        stride_,
-                        values_.data(),
-                        values_.data() + stride_,
-                        own_.data(),
-                        num_own,
-                        unit * of_height,
-                        unit * of_distance};
-  const std::size_t num_found = find_first(task, found_.data());
-  for (std::size_t i = 0; i < num_found; ++i) ++found_[i];
-  return {found_.data(), num_found};
 }
 
 }  // namespace delone::geometry

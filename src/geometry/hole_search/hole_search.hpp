@@ -42,18 +42,24 @@ class HoleSearch {
   void replace(const double* functions, int slot, Index vertex, double* replaced) {
     replace_vertex(k_, functions, slot, row(vertex), replaced);
   }
-  /// The candidates that may come first beyond facet `slot` of the cell of these k + 1 vertices, or on the
-  /// side of the cell; its own vertices are not among them, but for the one in the slot if that may stay.
-  /// None if no candidate is there.
-  std::span<const std::uint32_t> first(const double* functions, int slot, bool beyond, bool may_stay,
-                                       const Index* vertices);
+  /// Searches the candidates that may come first beyond some facets of the cell of these k + 1 vertices, or
+  /// on the side of the cell. Its own vertices are not among them, but for those in the slots if they may
+  /// stay.
+  void search(const double* functions, std::span<const int> slots, bool beyond, bool may_stay,
+              const Index* vertices);
+  /// Those of facet `slots[i]` of the last search; none if no candidate is there.
+  std::span<const std::uint32_t> found(std::size_t i) const {
+    return {found_.data() + ends_[i], ends_[i + 1] - ends_[i]};
+  }
 
  private:
   int k_ = 0;
   std::size_t num_candidates_ = 0, stride_ = 0;
   double largest_lift_ = 0;
   std::vector<double> rows_, lanes_, values_, matrix_;
-  std::vector<std::uint32_t> own_, found_;
+  std::vector<std::uint64_t> bits_;
+  std::vector<std::uint32_t> own_, found_;  // found_: of one facet after the other
+  std::vector<std::size_t> ends_;           // before the first of them, and after each
 };
 
 }  // namespace delone::geometry

@@ -80,7 +80,9 @@ TEST(HoleFiller, LeavesTheCellsOfTheOtherVertices) {
     expect_filled<2>(kind == 1 ? 12 : 40, kind);
     expect_filled<3>(kind == 1 ? 20 : 30, kind);
     expect_filled<4>(18, kind);
+    expect_filled<5>(14, kind);
     expect_filled<6>(10, kind);
+    expect_filled<7>(8, kind);
   }
 }
 

@@ -119,7 +119,11 @@ TEST(HoleSearch, FindsTheFirstVertexBeyondAFacet) {
                 first = v;
               }
             }
-            const auto found = search.first(functions.data(), slot, beyond, false, source.data());
+            // Beyond the facet, together with others.
+            std::vector<int> slots{slot};
+            if (beyond) slots.insert(slots.begin(), static_cast<std::size_t>(slot), (slot + 1) % (k + 1));
+            search.search(functions.data(), slots, beyond, false, source.data());
+            const auto found = search.found(slots.size() - 1);
             if (first != 0) {  // else there may be some that are near the facet
               EXPECT_TRUE(std::find(found.begin(), found.end(), first) != found.end())
                   << k << "D, grid " << grid << ", seed " << seed << ", slot " << slot;
