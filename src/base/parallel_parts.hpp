@@ -10,16 +10,9 @@
 #include "base/parallel.hpp"
 #include "base/progress_meter.hpp"
 
-#include <delone/error.hpp>
-
 #include <algorithm>
 #include <atomic>
-#include <chrono>
-#include <condition_variable>
 #include <cstddef>
-#include <exception>
-#include <limits>
-#include <mutex>
 
 namespace delone::internal {
 
@@ -38,59 +31,33 @@ class StopPoint {
   std::size_t part_;
 };
 
-/// Whether an error of the calling thread is that of a progress function or a limit, and not of a part.
-inline bool ends_all_parts(const Error& error) {
-  return error.code() == Errc::cancelled || error.code() == Errc::time_limit ||
-         error.code() == Errc::out_of_memory;
-}
-
-/// The state of such work.
-class PartsOfWork {
+/// The parts that one worker takes, one after the other.
+class TakenParts {
  public:
-  explicit PartsOfWork(std::size_t count) : count_(count) {}
+  TakenParts(std::atomic<std::size_t>& next, const std::atomic<std::size_t>& end, std::size_t size,
+             std::size_t part)
+      : next_(next), end_(end), size_(size), part_(part) {}
 
-  /// The next part, or `count` if no more are to begin.
-  std::size_t take() {
-    const std::size_t part = next_.fetch_add(1, std::memory_order_relaxed);
-    return part < count_ && part < end_.load(std::memory_order_relaxed) ? part : count_;
+  /// Goes on to the next part. Returns false if no more are to begin.
+  bool take() {
+    const std::size_t number = next_.fetch_add(1, std::memory_order_relaxed);
+    if (number >= end_.load(std::memory_order_relaxed) || number * part_ >= size_) return false;
+    number_ = number;
+    num_begun_ = number + 1;
+    return true;
   }
-  StopPoint stop_point(std::size_t part) const { return {end_, part}; }
-  /// Keeps the present exception, which ends the parts from `end` on, unless one of an earlier part is known.
-  void fail(std::size_t end) {
-    const std::lock_guard lock(mutex_);
-    if (end >= end_.load(std::memory_order_relaxed)) return;
-    failure_ = std::current_exception();
-    end_.store(end, std::memory_order_relaxed);
-  }
-  void begin_worker() {
-    const std::lock_guard lock(mutex_);
-    ++active_;
-  }
-  void end_worker() {
-    const std::lock_guard lock(mutex_);
-    if (--active_ == 0) ended_.notify_one();
-  }
-  /// Waits until no other worker is active. A cancellation point.
-  void wait() {
-    std::unique_lock lock(mutex_);
-    while (active_ > 0) {
-      ended_.wait_for(lock, std::chrono::milliseconds(20));
-      lock.unlock();
-      cancellation_point();
-      lock.lock();
-    }
-  }
-  void finish() const {
-    if (failure_) std::rethrow_exception(failure_);
-  }
+  /// The numbers first() … last() − 1 of this part.
+  std::size_t first() const { return number_ * part_; }
+  std::size_t last() const { return std::min((number_ + 1) * part_, size_); }
+  StopPoint stop_point() const { return {end_, number_}; }
+  /// This part and those before it; 0 before take().
+  std::size_t num_begun() const { return num_begun_; }
 
  private:
-  const std::size_t count_;
-  std::atomic<std::size_t> next_ = 0, end_ = std::numeric_limits<std::size_t>::max();
-  std::exception_ptr failure_;
-  std::mutex mutex_;
-  std::condition_variable ended_;
-  unsigned active_ = 0;  // workers in other threads
+  std::atomic<std::size_t>& next_;
+  const std::atomic<std::size_t>& end_;
+  const std::size_t size_, part_;
+  std::size_t number_ = 0, num_begun_ = 0;
 };
 
 /// How many threads shall do so many parts of work: each of these should take some 100 µs at least.
@@ -100,51 +67,24 @@ inline unsigned threads_for_parts(unsigned requested, std::size_t parts) {
   return static_cast<unsigned>(std::min<std::size_t>(threads_to_use(requested), parts));
 }
 
+/// Calls work(context, parts), which takes parts while there are any, once in each of up to `threads` threads
+/// (Options::threads): parts of 0 … size − 1, of `part` numbers each but the last.
+void work_in_parts(unsigned threads, std::size_t size, std::size_t part,
+                   void (*work)(void* context, TakenParts& parts), void* context);
+
 /// Calls work(first, last, stop) for consecutive parts of 0 … size − 1, of `part` numbers each but the last,
 /// in up to `threads` threads (Options::threads), each with its own work = make_work(). `stop` is a
 /// StopPoint.
 template <class MakeWork>
 void work_in_parts(unsigned threads, std::size_t size, std::size_t part, MakeWork&& make_work) {
-  if (size == 0) return;
-  const std::size_t count = (size + part - 1) / part;
-  const unsigned workers = threads_for_parts(threads, count);
-  PartsOfWork parts(count);
-  const auto last_of = [&](std::size_t p) { return std::min((p + 1) * part, size); };
-  if (workers == 1) {
+  auto take_parts = [&](TakenParts& parts) {
     auto work = make_work();
-    for (std::size_t p = 0; p < count; ++p) work(p * part, last_of(p), parts.stop_point(p));
-    return;
-  }
-  const auto do_parts = [&](bool is_caller) {
-    std::size_t p = 0, end = 0;
-    try {
-      auto work = make_work();
-      while ((p = parts.take()) < count) {
-        end = p + 1;
-        work(p * part, last_of(p), parts.stop_point(p));
-      }
-    } catch (const StopPoint::Stopped&) {
-    } catch (const Error& error) {
-      parts.fail(is_caller && ends_all_parts(error) ? 0 : end);
-    } catch (...) {
-      parts.fail(end);
-    }
+    while (parts.take()) work(parts.first(), parts.last(), parts.stop_point());
   };
-  run_workers(workers, [&](unsigned worker) {
-    if (worker > 0) {
-      parts.begin_worker();
-      do_parts(false);
-      parts.end_worker();
-      return;
-    }
-    do_parts(true);
-    try {
-      parts.wait();
-    } catch (...) {
-      parts.fail(0);
-    }
-  });
-  parts.finish();
+  using TakeParts = decltype(take_parts);
+  work_in_parts(
+      threads, size, part,
+      [](void* context, TakenParts& parts) { (*static_cast<TakeParts*>(context))(parts); }, &take_parts);
 }
 
 /// The same for work without memory of its own.

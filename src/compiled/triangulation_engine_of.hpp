@@ -54,7 +54,7 @@ class TriangulationEngineOf final : public EngineOf<TriangulationEngine, geometr
     return cells().bytes();
   }
   bool is_worth_wrapping(std::size_t num_points) const {
-    return K == points_.ambient && points_.form == kernel::RowForm::point &&
+    return engine::can_wrap(K) && K == points_.ambient && points_.form == kernel::RowForm::point &&
            engine::is_worth_wrapping(K, num_points);
   }
   /// Makes functionals when they are first needed: of wrapped cells, and after many vertices have moved back.
@@ -68,7 +68,7 @@ class TriangulationEngineOf final : public EngineOf<TriangulationEngine, geometr
     if (now == Functionals::outdated) {
       build_.geometry().rewrite_rows(points_.last_vertex());
       build_.create_functionals();
-    } else {
+    } else if constexpr (engine::can_wrap(K)) {
       try {
         create_functionals_of_wrapped();
       } catch (const std::bad_alloc&) {
@@ -98,7 +98,7 @@ class TriangulationEngineOf final : public EngineOf<TriangulationEngine, geometr
   }
   bool wrap([[maybe_unused]] unsigned threads,
             [[maybe_unused]] const std::function<void(double)>& tick) override {
-    if constexpr (K >= 2) {
+    if constexpr (engine::can_wrap(K)) {
       const bool is_wrapped =
           engine::wrap(build_, PointsToWrap<K>(points_, cells(), geometry()), threads, tick);
       if (is_wrapped) functionals_ = Functionals::lacking;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Building the tree of boxes.
+// Building the tree of boxes, and opening its nodes.
 #include "pages/page_tree.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 
 namespace delone::pages {
@@ -68,6 +69,25 @@ std::size_t PageTree::build(const Range& range) {
     }
   }
   return number;
+}
+
+void PageSearch::open_node(std::size_t number, const QuestionForm& form, const Answer& best) {
+  const auto d = static_cast<std::size_t>(tree_.table().dimension);
+  double distances[boxes_per_node];
+  const PageTree::Node& node = tree_.node(number);
+  unsigned open =
+      node.used & find_open_boxes(d, form, tree_.boxes(number), best.is_open, best.key, distances);
+  const std::size_t first = stack_.size();
+  for (; open != 0; open &= open - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(open));
+    const PageTree::Child& child = node.children[i];
+    if (child.first_page >= first_ && child.last_page <= last_) continue;
+    stack_.push_back({distances[i], child.node != 0 ? child.node : child.first_page, child.node == 0});
+  }
+  std::sort(stack_.begin() + static_cast<std::ptrdiff_t>(first), stack_.end(),
+            [](const Entry& a, const Entry& b) {
+              return a.distance != b.distance ? a.distance > b.distance : a.number > b.number;
+            });
 }
 
 }  // namespace delone::pages

@@ -114,39 +114,23 @@ class PageSearch {
   Answer find_better(const Question<D>& question, const Exact& is_in_conflict, const KnownPoints& known,
                      Answer best) {
     const QuestionForm form = question.form();
-    const auto d = static_cast<std::size_t>(tree_.table().dimension);
     int num_missing = 0;
     stack_.clear();
     if (!tree_.is_empty()) stack_.push_back({0, 0, false});
     while (!stack_.empty()) {
       const Entry entry = stack_.back();
       stack_.pop_back();
-      if (entry.is_page) {
-        // What has been found since may rule the page out; its points tell as fast as its box.
-        const auto page = source_.find(entry.number);
-        ++num_visited;
-        if (page)
-          search_page(*page, entry.number, question, form, is_in_conflict, known, best);
-        else if (best.is_waiting = true; ++num_missing == most_missing)
-          break;
+      if (!entry.is_page) {
+        open_node(entry.number, form, best);
         continue;
       }
-      double distances[boxes_per_node];
-      const PageTree::Node& node = tree_.node(entry.number);
-      unsigned open =
-          node.used & find_open_boxes(d, form, tree_.boxes(entry.number), best.is_open, best.key, distances);
-      const std::size_t first = stack_.size();
-      for (; open != 0; open &= open - 1) {
-        const auto i = static_cast<std::size_t>(std::countr_zero(open));
-        const PageTree::Child& child = node.children[i];
-        if (child.first_page >= first_ && child.last_page <= last_) continue;
-        stack_.push_back({distances[i], child.node != 0 ? child.node : child.first_page, child.node == 0});
-      }
-      // The nearest last, to be taken first.
-      std::sort(stack_.begin() + static_cast<std::ptrdiff_t>(first), stack_.end(),
-                [](const Entry& a, const Entry& b) {
-                  return a.distance != b.distance ? a.distance > b.distance : a.number > b.number;
-                });
+      // What has been found since may rule the page out; its points tell as fast as its box.
+      const auto page = source_.find(entry.number);
+      ++num_visited;
+      if (page)
+        search_page(*page, entry.number, question, form, is_in_conflict, known, best);
+      else if (best.is_waiting = true; ++num_missing == most_missing)
+        break;
     }
     return best;
   }
@@ -158,6 +142,10 @@ class PageSearch {
   /// So many pages are wanted at most for one question at a time: those nearest to it, which are likely to
   /// make it smaller.
   static constexpr int most_missing = 4;
+
+  /// Puts the children of a node that may hold a better answer on the stack, the nearest last, to be taken
+  /// first.
+  void open_node(std::size_t number, const QuestionForm& form, const Answer& best);
 
   template <int D, class Exact>
   void search_page(const Page& page, std::size_t number, const Question<D>& question,

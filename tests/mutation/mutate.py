@@ -25,8 +25,8 @@ from mutants import EQUIVALENT, MUTANTS, TESTS
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 CAMPAIGN = "tests/campaign/predicate_campaign.cpp"
-FLAGS = ["-std=gnu++20", "-O0", "-w", "-DNDEBUG", "-DDELONE_LARGEST_COMPILED_DIMENSION=8", "-DHWY_COMPILE_ONLY_STATIC",
-         "-ffp-contract=off", "-fno-fast-math", f'-DDELONE_DATA_DIR="{ROOT}/data"']
+FLAGS = ["-std=gnu++20", "-O0", "-w", "-DNDEBUG", "-DDELONE_LARGEST_COMPILED_DIMENSION=8", "-DDELONE_LEAST_WRAPPED_DIMENSION=2",
+         "-DHWY_COMPILE_ONLY_STATIC", "-ffp-contract=off", "-fno-fast-math", f'-DDELONE_DATA_DIR="{ROOT}/data"']
 RECOMPILED_ROOMS = ("src/kernel", "src/geometry")
 
 
