@@ -3,6 +3,7 @@
 // periodic set are vertices of its triangulation with ghosts.
 #include <delone/site_cells.hpp>
 
+#include "base/compiler.hpp"
 #include "base/guarded.hpp"
 #include "base/infinity.hpp"
 #include "base/parallel_parts.hpp"
@@ -37,6 +38,18 @@ constexpr std::size_t vertices_in_part = 1024;
 
 /// The faces of a clipped cell by the rows of neighbors, with their places in another list; −1 comes last.
 using Order = std::vector<std::pair<Index, std::uint32_t>>;
+
+/// Prefetches items first … last − 1, which will be written. Inlined, as a call of a function that does
+/// nothing else is taken for a useless one.
+template <class T>
+[[gnu::always_inline]] inline void prefetch_items(const std::vector<T>& items, std::size_t first,
+                                                  std::size_t last) {
+  if (first == last) return;
+  constexpr std::size_t line = 64;
+  for (std::size_t at = first; at < last; at += line / sizeof(T))
+    internal::prefetch_for_writing(items.data() + at);
+  internal::prefetch_for_writing(items.data() + last - 1);
+}
 
 class SiteCellsMaker {
  public:
@@ -90,6 +103,7 @@ class SiteCellsMaker {
   void measure();
   void measure_site(Index v, Worker& worker, NeighborLists* lists);
   void lay_out(const Stars& stars);
+  void prefetch_after(std::size_t v) const;
   template <class Put>
   void for_each_listed(Worker& worker, const Put& put);
   void list_neighbors(Worker& worker, NeighborLists& lists);
@@ -168,6 +182,32 @@ void SiteCellsMaker::measure_lone_site() {
   clip(v, {}, clipper, order, lists_.data());
 }
 
+/// Prefetches what sites that follow will write. Their vertices are next to each other, but their rows are
+/// anywhere in memory.
+[[gnu::always_inline]] inline void SiteCellsMaker::prefetch_after(std::size_t v) const {
+  constexpr std::size_t near = 4, far = 8;
+  if (v + far >= row_of_vertex_.size()) return;
+  const bool has_room = has_lists() && lists_.empty();
+  if (const Index row = row_of_vertex_[v + far]; row != invalid_index) {
+    prefetch_items(cells_.volumes, row, row + 1);
+    prefetch_items(cells_.areas, row, row + 1);
+    prefetch_items(cells_.num_faces, row, row + 1);
+    prefetch_items(cells_.centroids, row * d_, (row + 1) * d_);
+    if (periodic_ != nullptr) internal::prefetch(periodic_->given_point(row));
+    if (has_room) internal::prefetch(&cells_.neighbor_offsets[row]);
+  }
+  if (const Index row = row_of_vertex_[v + near]; has_room && row != invalid_index) {
+    const auto begin = static_cast<std::size_t>(cells_.neighbor_offsets[row]),
+               end = static_cast<std::size_t>(cells_.neighbor_offsets[row + 1]),
+               rank = static_cast<std::size_t>(cells_.rank);
+    prefetch_items(cells_.neighbors, begin, end);
+    prefetch_items(cells_.face_areas, begin, end);
+    prefetch_items(cells_.distances, begin, end);
+    if (!cells_.num_edges.empty()) prefetch_items(cells_.num_edges, begin, end);
+    prefetch_items(cells_.neighbor_lattice, begin * rank, end * rank);
+  }
+}
+
 void SiteCellsMaker::measure() {
   const std::size_t slots = complex_.num_vertex_slots();
   const Stars stars(complex_, periodic_ == nullptr ? std::vector<unsigned char>() : periodic_->have_cells());
@@ -186,6 +226,7 @@ void SiteCellsMaker::measure() {
                                               const internal::StopPoint& stop) mutable {
       NeighborLists* const lists = lists_.empty() ? nullptr : &lists_[first / vertices_in_part];
       for (std::size_t v = first; v < last; ++v) {
+        prefetch_after(v);
         if (!has_cell(static_cast<Index>(v))) continue;
         stop();
         measure_site(static_cast<Index>(v), worker, lists);
