@@ -73,8 +73,9 @@ class GhostTriangulation::Asking {
         search_(images_, 0, images_.table().num_pages()),
         centers_(solve::CenterFinder::block * d_) {}
 
-  /// Nearly all cells are found far from everything unknown, by several threads. The others ask in the order
-  /// of their slots.
+  /// Nearly all cells are found far from everything unknown, by several threads: a cell whose sphere is
+  /// narrower than all that is known around one of its points meets nothing else. The others ask in the order
+  /// of their slots, so that no result depends on threads.
   void ask_all() {
     const std::vector<double> depths = find_depths();
     constexpr std::size_t cells_in_part = 4096;
