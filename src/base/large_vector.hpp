@@ -11,8 +11,13 @@
 
 namespace delone::internal {
 
-/// Makes room for `size` entries, in large pages where the system has them: for vectors that are about to be
-/// filled. Throws std::bad_alloc.
+/// Fetches the pages of a range that is about to be written: large ones as long as they are cheap. REQUIRES
+/// memory that can be mapped, and whole large pages.
+void fetch_pages(char* begin, std::size_t bytes);
+
+/// Makes room for `size` entries, and fetches the pages, as arrays of cells do
+/// (docs/decisions/0009-large-pages-while-they-are-cheap.md): for vectors that are about to be filled. Throws
+/// std::bad_alloc.
 template <class T>
 void reserve_large(std::vector<T>& items, std::size_t size) {
   if (size <= items.capacity()) return;
@@ -22,8 +27,7 @@ void reserve_large(std::vector<T>& items, std::size_t size) {
     const auto begin = reinterpret_cast<std::uintptr_t>(items.data() + items.size());
     const auto end = reinterpret_cast<std::uintptr_t>(items.data() + items.capacity());
     const std::uintptr_t first = (begin + page - 1) / page * page, last = end / page * page;
-    if (last > first + 4 * page)
-      platform::use_large_pages(reinterpret_cast<void*>(first), last - first, true);
+    if (last > first + 4 * page) fetch_pages(reinterpret_cast<char*>(first), last - first);
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "particles/neighbor_lists.hpp"
 
+#include "base/large_vector.hpp"
 #include "base/parallel_parts.hpp"
 
 #include <algorithm>
@@ -48,6 +49,23 @@ void join_vertices(std::span<const NeighborLists> parts, unsigned threads, SiteC
 
 }  // namespace
 
+void lay_out_lists(bool have_edges, unsigned threads, SiteCells& cells) {
+  std::vector<std::int64_t>& offsets = cells.neighbor_offsets;
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+  const auto size = static_cast<std::size_t>(offsets.back()), rank = static_cast<std::size_t>(cells.rank);
+  // Most of the time goes into pages of memory, so arrays share threads.
+  constexpr std::size_t num_arrays = 5;
+  internal::for_parts(threads, num_arrays, 1,
+                      [&](std::size_t array, std::size_t, const internal::StopPoint& stop) {
+                        stop();
+                        if (array == 0) internal::resize_large(cells.neighbor_lattice, size * rank);
+                        if (array == 1) internal::resize_large(cells.face_areas, size);
+                        if (array == 2) internal::resize_large(cells.distances, size);
+                        if (array == 3) internal::resize_large(cells.neighbors, size);
+                        if (array == 4 && have_edges) internal::resize_large(cells.num_edges, size);
+                      });
+}
+
 void join_lists(std::span<NeighborLists> parts, bool have_edges, bool have_vertices, unsigned threads,
                 SiteCells& cells) {
   std::vector<std::int64_t>& offsets = cells.neighbor_offsets;
@@ -55,34 +73,22 @@ void join_lists(std::span<NeighborLists> parts, bool have_edges, bool have_verti
   for (const NeighborLists& lists : parts)
     for (std::size_t i = 0; i < lists.rows.size(); ++i)
       offsets[lists.rows[i] + 1] = static_cast<std::int64_t>(lists.lengths[i]);
-  for (std::size_t row = 0; row < cells.num_rows(); ++row) offsets[row + 1] += offsets[row];
-  const auto size = static_cast<std::size_t>(offsets.back()), rank = static_cast<std::size_t>(cells.rank);
-  cells.neighbors.resize(size);
-  cells.face_areas.resize(size);
-  cells.distances.resize(size);
-  if (have_edges) cells.num_edges.resize(size);
-  cells.neighbor_lattice.resize(size * rank);
+  lay_out_lists(have_edges, threads, cells);
   if (have_vertices) join_vertices(parts, threads, cells);
-  internal::for_parts(threads, parts.size(), 1,
-                      [&](std::size_t part, std::size_t, const internal::StopPoint& stop) {
-                        stop();
-                        NeighborLists& lists = parts[part];
-                        const ListedNeighbor* neighbor = lists.neighbors.data();
-                        const std::int32_t* lattice = lists.lattice.data();
-                        for (std::size_t i = 0; i < lists.rows.size(); ++i) {
-                          const auto to = static_cast<std::size_t>(offsets[lists.rows[i]]);
-                          const std::size_t length = lists.lengths[i];
-                          for (std::size_t at = to; at < to + length; ++at, ++neighbor) {
-                            cells.neighbors[at] = neighbor->row;
-                            cells.face_areas[at] = neighbor->area;
-                            cells.distances[at] = neighbor->distance;
-                            if (have_edges) cells.num_edges[at] = neighbor->num_edges;
-                          }
-                          std::copy_n(lattice, length * rank, cells.neighbor_lattice.data() + to * rank);
-                          lattice += length * rank;
-                        }
-                        lists = {};
-                      });
+  const auto rank = static_cast<std::size_t>(cells.rank);
+  internal::for_parts(
+      threads, parts.size(), 1, [&](std::size_t part, std::size_t, const internal::StopPoint& stop) {
+        stop();
+        NeighborLists& lists = parts[part];
+        const ListedNeighbor* neighbor = lists.neighbors.data();
+        const std::int32_t* lattice = lists.lattice.data();
+        for (std::size_t i = 0; i < lists.rows.size(); ++i) {
+          const auto to = static_cast<std::size_t>(offsets[lists.rows[i]]);
+          for (std::size_t at = to; at < to + lists.lengths[i]; ++at, ++neighbor, lattice += rank)
+            put_neighbor(cells, at, *neighbor, lattice);
+        }
+        lists = {};
+      });
 }
 
 }  // namespace delone::particles

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The lists of neighbors that parts of the work make, and how they are joined.
+// Lists of neighbors. Where their lengths are known beforehand they are written where they belong; otherwise
+// parts of the work make lists of their own, which are joined at the end.
 #pragma once
 
 #include <delone/site_cells.hpp>
 #include <delone/types.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -17,6 +19,20 @@ struct ListedNeighbor {
   SignedIndex num_edges;  ///< of the face, in three dimensions
   double area, distance;
 };
+
+/// Makes room for lists, in the order of rows. REQUIRES that neighbor_offsets has 0, and the length of each.
+void lay_out_lists(bool have_edges, unsigned threads, SiteCells& cells);
+
+/// Writes an entry of a list that has room; `lattice` has `rank` numbers.
+inline void put_neighbor(SiteCells& cells, std::size_t at, const ListedNeighbor& neighbor,
+                         const std::int32_t* lattice) {
+  cells.neighbors[at] = neighbor.row;
+  cells.face_areas[at] = neighbor.area;
+  cells.distances[at] = neighbor.distance;
+  if (!cells.num_edges.empty()) cells.num_edges[at] = neighbor.num_edges;
+  const auto rank = static_cast<std::size_t>(cells.rank);
+  std::copy_n(lattice, rank, cells.neighbor_lattice.data() + at * rank);
+}
 
 /// The lists of some sites, one after the other.
 struct NeighborLists {

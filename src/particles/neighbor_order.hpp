@@ -25,11 +25,13 @@ class NeighborOrder {
   }
 
  private:
+  void order_rows(bool are_equal);
   void order_images(std::size_t rank);
 
   std::vector<Index> rows_;
   std::vector<std::uint32_t> order_;
   std::vector<std::int32_t> offsets_;
+  bool are_zeros_ = true;  // all offsets
 };
 
 }  // namespace delone::particles

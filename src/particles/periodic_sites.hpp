@@ -29,6 +29,9 @@ class PeriodicSites {
   bool has_cell(Index v) const { return ghosts_.is_own(VertexId{v}); }
   /// The first row at the point of a vertex, or at the point that it is an image of.
   Index row_of(Index v) const { return ghosts_.image_of(VertexId{v}).row; }
+  const periodic::Image& image_of(Index v) const { return ghosts_.image_of(VertexId{v}); }
+  /// Whether points were given outside of the box.
+  bool has_wraps() const { return has_wraps_; }
   /// By vertex, whether it has a cell.
   std::vector<unsigned char> have_cells() const;
 
@@ -51,7 +54,7 @@ class PeriodicSites {
   const periodic::PeriodicSet& set_;
   const periodic::GhostTriangulation& ghosts_;
   std::span<const double> given_;
-  bool has_wraps_;  // whether points were given outside of the box
+  bool has_wraps_;
 };
 
 }  // namespace delone::particles

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sites in parts, by vertex: the star of each, its measures, and its lists; these are put into the order of
-// rows at the end. Those of a periodic set are vertices of its triangulation with ghosts.
+// Sites in parts, by vertex: the star of each, its measures, and its list in the order of rows. Those of a
+// periodic set are vertices of its triangulation with ghosts.
 #include <delone/site_cells.hpp>
 
+#include "base/compiler.hpp"
 #include "base/guarded.hpp"
 #include "base/infinity.hpp"
 #include "base/parallel_parts.hpp"
@@ -38,6 +39,18 @@ constexpr std::size_t vertices_in_part = 1024;
 /// The faces of a clipped cell by the rows of neighbors, with their places in another list; −1 comes last.
 using Order = std::vector<std::pair<Index, std::uint32_t>>;
 
+/// Prefetches items first … last − 1, which will be written. Inlined, as a call of a function that does
+/// nothing else is taken for a useless one.
+template <class T>
+[[gnu::always_inline]] inline void prefetch_items(const std::vector<T>& items, std::size_t first,
+                                                  std::size_t last) {
+  if (first == last) return;
+  constexpr std::size_t line = 64;
+  for (std::size_t at = first; at < last; at += line / sizeof(T))
+    internal::prefetch_for_writing(items.data() + at);
+  internal::prefetch_for_writing(items.data() + last - 1);
+}
+
 class SiteCellsMaker {
  public:
   /// `periodic`: null, or whose triangulation it is.
@@ -60,7 +73,8 @@ class SiteCellsMaker {
       measure_lone_site();
     else if (k_ > 0)
       measure();
-    if (has_lists()) join_lists(lists_, dimension_of_cells() == 3, options_.vertices, threads_, cells_);
+    if (has_lists() && cells_.neighbor_offsets.empty())
+      join_lists(lists_, dimension_of_cells() == 3, options_.vertices, threads_, cells_);
     return std::move(cells_);
   }
 
@@ -87,15 +101,21 @@ class SiteCellsMaker {
   void start();
   void measure_lone_site();
   void measure();
-  void measure_site(Index v, Worker& worker, NeighborLists& lists);
+  void measure_site(Index v, Worker& worker, NeighborLists* lists);
+  void lay_out(const Stars& stars);
+  void prefetch_after(std::size_t v) const;
+  template <class Put>
+  void for_each_listed(Worker& worker, const Put& put);
   void list_neighbors(Worker& worker, NeighborLists& lists);
   void find_centers(const Stars& stars);
   void list_vertices(Index v, FacePolygons& polygons, NeighborLists& lists);
   void clip(Index v, std::span<const Index> neighbors, CellClipper& clipper, Order& order,
-            NeighborLists& lists);
+            NeighborLists* lists);
   bool is_inside(const Star& star) const;
   bool has_lists() const { return options_.neighbors || options_.vertices; }
   bool are_proper() const { return options_.faces == CellFaces::proper; }
+  /// Whether the number of cells at a site tells how many neighbors are listed.
+  bool are_lengths_known() const { return k_ <= 3 && !are_proper() && !options_.vertices && !container_; }
   /// The dimension of the cells: with a box that of the space.
   std::size_t dimension_of_cells() const { return container_ ? d_ : k_; }
   bool has_cell(Index v) const {
@@ -152,14 +172,40 @@ void SiteCellsMaker::start() {
 /// Its cell is everything, or the box.
 void SiteCellsMaker::measure_lone_site() {
   const Index v = index(complex_.finite_vertices().front());
-  lists_.resize(1);
+  if (has_lists()) lists_.resize(1);
   if (!container_) {
     cells_.volumes[row_of_vertex_[v]] = cells_.areas[row_of_vertex_[v]] = infinity;
     return;
   }
   CellClipper clipper(points_, *container_);
   Order order;
-  clip(v, {}, clipper, order, lists_[0]);
+  clip(v, {}, clipper, order, lists_.data());
+}
+
+/// Prefetches what sites that follow will write. Their vertices are next to each other, but their rows are
+/// anywhere in memory.
+[[gnu::always_inline]] inline void SiteCellsMaker::prefetch_after(std::size_t v) const {
+  constexpr std::size_t near = 4, far = 8;
+  if (v + far >= row_of_vertex_.size()) return;
+  const bool has_room = has_lists() && lists_.empty();
+  if (const Index row = row_of_vertex_[v + far]; row != invalid_index) {
+    prefetch_items(cells_.volumes, row, row + 1);
+    prefetch_items(cells_.areas, row, row + 1);
+    prefetch_items(cells_.num_faces, row, row + 1);
+    prefetch_items(cells_.centroids, row * d_, (row + 1) * d_);
+    if (periodic_ != nullptr) internal::prefetch(periodic_->given_point(row));
+    if (has_room) internal::prefetch(&cells_.neighbor_offsets[row]);
+  }
+  if (const Index row = row_of_vertex_[v + near]; has_room && row != invalid_index) {
+    const auto begin = static_cast<std::size_t>(cells_.neighbor_offsets[row]),
+               end = static_cast<std::size_t>(cells_.neighbor_offsets[row + 1]),
+               rank = static_cast<std::size_t>(cells_.rank);
+    prefetch_items(cells_.neighbors, begin, end);
+    prefetch_items(cells_.face_areas, begin, end);
+    prefetch_items(cells_.distances, begin, end);
+    if (!cells_.num_edges.empty()) prefetch_items(cells_.num_edges, begin, end);
+    prefetch_items(cells_.neighbor_lattice, begin * rank, end * rank);
+  }
 }
 
 void SiteCellsMaker::measure() {
@@ -170,12 +216,16 @@ void SiteCellsMaker::measure() {
     classes_.emplace(stars, points_, kernel::Flat{points_.ambient, axes, points_.form}, threads_);
   }
   find_centers(stars);
-  lists_.resize((slots + vertices_in_part - 1) / vertices_in_part);
+  if (has_lists() && are_lengths_known())
+    lay_out(stars);
+  else if (has_lists())
+    lists_.resize((slots + vertices_in_part - 1) / vertices_in_part);
   internal::work_in_parts(threads_, slots, vertices_in_part, [&] {
     return [&, worker = Worker(*this, stars)](std::size_t first, std::size_t last,
                                               const internal::StopPoint& stop) mutable {
-      NeighborLists& lists = lists_[first / vertices_in_part];
+      NeighborLists* const lists = lists_.empty() ? nullptr : &lists_[first / vertices_in_part];
       for (std::size_t v = first; v < last; ++v) {
+        prefetch_after(v);
         if (!has_cell(static_cast<Index>(v))) continue;
         stop();
         measure_site(static_cast<Index>(v), worker, lists);
@@ -206,7 +256,22 @@ bool SiteCellsMaker::is_inside(const Star& star) const {
   return true;
 }
 
-void SiteCellsMaker::measure_site(Index v, Worker& worker, NeighborLists& lists) {
+/// By Euler's formula for the link, a sphere of dimension k − 1 of which each cell at the site is a simplex.
+void SiteCellsMaker::lay_out(const Stars& stars) {
+  std::vector<std::int64_t>& lengths = cells_.neighbor_offsets;
+  lengths.assign(cells_.num_rows() + 1, 0);
+  for (Index v = 1; v < row_of_vertex_.size(); ++v) {
+    if (!has_cell(v)) continue;
+    const auto num_cells = static_cast<std::int64_t>(stars.cells_at(v).size());
+    lengths[row_of_vertex_[v] + 1] = k_ == 3 ? num_cells / 2 + 2 : num_cells;
+  }
+  for (const VertexId v : complex_.adjacent_vertices(infinite_vertex))
+    if (has_cell(index(v))) --lengths[row_of_vertex_[index(v)] + 1];
+  lay_out_lists(dimension_of_cells() == 3, threads_, cells_);
+}
+
+/// `lists`: null unless lists of this part are wanted.
+void SiteCellsMaker::measure_site(Index v, Worker& worker, NeighborLists* lists) {
   Star& star = worker.star;
   CellMeasure& measure = worker.measure;
   star.find(v);
@@ -236,13 +301,19 @@ void SiteCellsMaker::measure_site(Index v, Worker& worker, NeighborLists& lists)
   } else {
     cells_.volumes[row] = cells_.areas[row] = infinity;
   }
-  if (!has_lists()) return;
-  lists.begin(row, num_faces);
-  if (worker.polygons) {
-    worker.polygons->find(v, star);
-    list_vertices(v, *worker.polygons, lists);
+  if (lists != nullptr) {
+    lists->begin(row, num_faces);
+    if (worker.polygons) {
+      worker.polygons->find(v, star);
+      list_vertices(v, *worker.polygons, *lists);
+    }
+    list_neighbors(worker, *lists);
+  } else if (has_lists()) {
+    auto at = static_cast<std::size_t>(cells_.neighbor_offsets[row]);
+    for_each_listed(worker, [&](std::size_t, const ListedNeighbor& listed, const std::int32_t* lattice) {
+      put_neighbor(cells_, at++, listed, lattice);
+    });
   }
-  list_neighbors(worker, lists);
 }
 
 /// In a periodic set around the point where it was given.
@@ -258,8 +329,9 @@ void SiteCellsMaker::list_vertices(Index v, FacePolygons& polygons, NeighborList
   }
 }
 
-/// In the order of slots.
-void SiteCellsMaker::list_neighbors(Worker& worker, NeighborLists& lists) {
+/// Calls put(slot, neighbor, lattice) in the order of slots.
+template <class Put>
+void SiteCellsMaker::for_each_listed(Worker& worker, const Put& put) {
   const Star& star = worker.star;
   const CellMeasure& measure = worker.measure;
   const auto rank = static_cast<std::size_t>(cells_.rank);
@@ -273,18 +345,25 @@ void SiteCellsMaker::list_neighbors(Worker& worker, NeighborLists& lists) {
     if (k_ == 3)
       listed.num_edges = static_cast<SignedIndex>(
           (worker.faces ? worker.faces->num_classes(i) : worker.num_at_edges[i]) + (is_unbounded ? 1 : 0));
+    put(i, listed, worker.neighbor_order.offsets(i, rank).data());
+  }
+}
+
+void SiteCellsMaker::list_neighbors(Worker& worker, NeighborLists& lists) {
+  const auto rank = static_cast<std::size_t>(cells_.rank);
+  for_each_listed(worker, [&](std::size_t i, const ListedNeighbor& listed, const std::int32_t* lattice) {
     lists.neighbors.push_back(listed);
     if (worker.polygons) {
       const std::span<const SignedIndex> face = worker.polygons->face(i);
       lists.face_lengths.push_back(static_cast<std::uint32_t>(face.size()));
       lists.face_vertices.insert(lists.face_vertices.end(), face.begin(), face.end());
     }
-    for (const std::int32_t k : worker.neighbor_order.offsets(i, rank)) lists.lattice.push_back(k);
-  }
+    lists.lattice.insert(lists.lattice.end(), lattice, lattice + rank);
+  });
 }
 
 void SiteCellsMaker::clip(Index v, std::span<const Index> neighbors, CellClipper& clipper, Order& order,
-                          NeighborLists& lists) {
+                          NeighborLists* lists) {
   const std::size_t row = row_of_vertex_[v];
   clipper.clip(v, neighbors, are_proper(), options_.vertices);
   cells_.volumes[row] = clipper.volume();
@@ -300,20 +379,21 @@ void SiteCellsMaker::clip(Index v, std::span<const Index> neighbors, CellClipper
                        static_cast<std::uint32_t>(i));
   }
   cells_.areas[row] = surface;
-  if (!has_lists()) return;
+  if (lists == nullptr) return;
   std::sort(order.begin(), order.end());
-  lists.begin(row, order.size());
+  lists->begin(row, order.size());
   if (options_.vertices) {
-    lists.num_vertices.push_back(static_cast<std::uint32_t>(clipper.vertices().size() / d_));
-    lists.vertices.insert(lists.vertices.end(), clipper.vertices().begin(), clipper.vertices().end());
+    lists->num_vertices.push_back(static_cast<std::uint32_t>(clipper.vertices().size() / d_));
+    lists->vertices.insert(lists->vertices.end(), clipper.vertices().begin(), clipper.vertices().end());
   }
   for (const auto& [other, i] : order) {
-    lists.neighbors.push_back({other == invalid_index ? -1 : static_cast<SignedIndex>(other),
-                               d_ == 3 ? static_cast<SignedIndex>(faces[i].num_corners) : 0, faces[i].area,
-                               faces[i].distance});
+    lists->neighbors.push_back({other == invalid_index ? -1 : static_cast<SignedIndex>(other),
+                                d_ == 3 ? static_cast<SignedIndex>(faces[i].num_corners) : 0, faces[i].area,
+                                faces[i].distance});
     if (!options_.vertices) continue;
-    lists.face_lengths.push_back(static_cast<std::uint32_t>(faces[i].vertices.size()));
-    lists.face_vertices.insert(lists.face_vertices.end(), faces[i].vertices.begin(), faces[i].vertices.end());
+    lists->face_lengths.push_back(static_cast<std::uint32_t>(faces[i].vertices.size()));
+    lists->face_vertices.insert(lists->face_vertices.end(), faces[i].vertices.begin(),
+                                faces[i].vertices.end());
   }
 }
 

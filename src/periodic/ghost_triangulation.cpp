@@ -4,6 +4,7 @@
 
 #include "base/build_limits.hpp"
 #include "base/compiled_dimension.hpp"
+#include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
 #include "base/quick_rounds.hpp"
 #include "base/stopwatch.hpp"
@@ -26,7 +27,7 @@ namespace {
 
 /// How wide the layer of ghosts is to begin with, in distances of neighbors. In four dimensions and more the
 /// ghosts of a layer are soon many more than those that are needed.
-double layer_width(std::size_t dimension) { return dimension <= 3 ? 1.5 : dimension == 4 ? 1.0 : 0.0; }
+double layer_width(std::size_t dimension) { return dimension <= 3 ? 1.75 : dimension == 4 ? 1.0 : 0.0; }
 
 /// Calls make(options) such that limits and progress are those of all batches and questions together.
 template <class Make>
@@ -72,12 +73,29 @@ class GhostTriangulation::Asking {
         search_(images_, 0, images_.table().num_pages()),
         centers_(solve::CenterFinder::block * d_) {}
 
+  /// Nearly all cells are found far from everything unknown, by several threads: a cell whose sphere is
+  /// narrower than all that is known around one of its points meets nothing else. The others ask in the order
+  /// of their slots, so that no result depends on threads.
   void ask_all() {
-    for (std::size_t slot = 0; slot < complex_.num_cell_slots(); ++slot) {
-      round_();
-      const CellId cell{static_cast<Index>(slot)};
-      if (complex_.is_cell(cell) && is_new(cell)) gather(cell);
-    }
+    const std::vector<double> depths = find_depths();
+    constexpr std::size_t cells_in_part = 4096;
+    const std::size_t slots = complex_.num_cell_slots();
+    std::vector<std::vector<CellId>> open((slots + cells_in_part - 1) / cells_in_part);
+    internal::for_parts(
+        ghosts_.threads_, slots, cells_in_part,
+        [&](std::size_t first, std::size_t last, const internal::StopPoint& stop) {
+          for (std::size_t slot = first; slot < last; ++slot) {
+            if (slot % 64 == 0) stop();
+            const CellId cell{static_cast<Index>(slot)};
+            if (complex_.is_cell(cell) && is_new(cell) && !is_deep(cell, depths) && is_open(cell))
+              open[first / cells_in_part].push_back(cell);
+          }
+        });
+    for (const std::vector<CellId>& cells : open)
+      for (const CellId cell : cells) {
+        round_();
+        gather(cell);
+      }
     ask_gathered();
   }
   /// The cells of which one of these vertices is the last, each cell once.
@@ -88,7 +106,9 @@ class GhostTriangulation::Asking {
       if (!complex_.is_vertex(v)) continue;
       for (const CellId cell : complex_.star(v)) {
         const VerticesOfCell vertices = complex_.vertices(cell);
-        if (std::none_of(vertices.begin(), vertices.end(), [&](VertexId w) { return w > v; })) gather(cell);
+        if (std::none_of(vertices.begin(), vertices.end(), [&](VertexId w) { return w > v; }) &&
+            is_open(cell))
+          gather(cell);
       }
     }
     ask_gathered();
@@ -110,6 +130,68 @@ class GhostTriangulation::Asking {
     return false;
   }
 
+  /// Whether the cells of the set are of a kind that quick_ball.hpp measures.
+  bool has_quick_balls() const {
+    return (D == 2 || D == 3) && !set_.weighted && k_ == static_cast<std::size_t>(D);
+  }
+  std::array<const double*, 4> corners_of(const VerticesOfCell& vertices) const {
+    std::array<const double*, 4> corners{};
+    for (std::size_t i = 0; i <= k_; ++i) corners[i] = points_.point(index(vertices[i]));
+    return corners;
+  }
+  /// By vertex: within which distance of a point of the set everything is known; 0 for other vertices.
+  std::vector<double> find_depths() const {
+    std::vector<double> depths(has_quick_balls() ? ghosts_.image_of_vertex_.size() : 0, 0.0);
+    constexpr std::size_t vertices_in_part = 4096;
+    internal::for_parts(ghosts_.threads_, depths.size(), vertices_in_part,
+                        [&](std::size_t first, std::size_t last, const internal::StopPoint& stop) {
+                          stop();
+                          for (std::size_t v = std::max<std::size_t>(first, 1); v < last; ++v)
+                            if (ghosts_.image_of_vertex_[v].shift == 0)
+                              depths[v] = depth_of(points_.point(static_cast<Index>(v)));
+                        });
+    return depths;
+  }
+  double depth_of(const double* p) const {
+    double depth = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < set_.rank; ++i) {
+      const double at = set_.period.fraction(i, p),
+                   within = std::min(at + images_.known_below(i), 1 + images_.known_above(i) - at) -
+                            set_.period.fraction_slack(i, p) - 2 * images_.extent().fraction_slack(i);
+      depth = std::min(depth, within / set_.period.gradient_length(i) * (1 - 0x1p-40));
+    }
+    return std::max(depth, 0.0);
+  }
+  /// Whether the sphere of a cell is within the depth of one of its vertices.
+  bool is_deep(CellId cell, const std::vector<double>& depths) const {
+    if constexpr (D == 2 || D == 3) {
+      if (depths.empty()) return false;
+      const VerticesOfCell vertices = complex_.vertices(cell);
+      double deepest = 0;
+      bool is_infinite = false;
+      for (const VertexId v : vertices) {
+        deepest = std::max(deepest, depths[index(v)]);
+        is_infinite = is_infinite || v == infinite_vertex;
+      }
+      return !is_infinite && deepest > 0 && is_narrower<D>(corners_of(vertices).data(), deepest);
+    }
+    return false;
+  }
+  /// Whether a cell has a vertex in the box, and there may be something unknown in its sphere.
+  bool is_open(CellId cell) const {
+    const VerticesOfCell vertices = complex_.vertices(cell);
+    if (std::none_of(vertices.begin(), vertices.end(), [&](VertexId v) { return ghosts_.is_own(v); }))
+      return false;
+    if constexpr (D == 2 || D == 3) {
+      Ball ball;
+      if (has_quick_balls() && !complex_.is_infinite(cell) &&
+          find_ball<D>(corners_of(vertices).data(), ball) && is_in_known(ball.center, ball.radius))
+        return false;
+    }
+    return true;
+  }
+
+  /// REQUIRES a vertex in the box.
   void gather(CellId cell) {
     const VerticesOfCell vertices = complex_.vertices(cell);
     VertexId own = infinite_vertex;
@@ -120,19 +202,10 @@ class GhostTriangulation::Asking {
       else if (ghosts_.image_of(v).shift == 0 && (own == infinite_vertex || v < own))
         own = v;  // the first one by id, as the order of vertices in a cell may depend on threads
     }
-    if (own == infinite_vertex) return;
     const double* const p = points_.point(index(own));
     if (is_infinite) {
       ask_beyond(cell, own, p);
       return;
-    }
-    if constexpr (D == 2 || D == 3) {
-      std::array<const double*, 4> corners;
-      if (!set_.weighted && k_ == static_cast<std::size_t>(D)) {
-        for (std::size_t i = 0; i <= k_; ++i) corners[i] = points_.point(index(vertices[i]));
-        Ball ball;
-        if (find_ball<D>(corners.data(), ball) && is_in_known(ball.center, ball.radius)) return;
-      }
     }
     spokes_.push_back({cell, p});
     for (const VertexId v : vertices) {
@@ -232,13 +305,13 @@ class GhostTriangulation::Asking {
 };
 
 GhostTriangulation::GhostTriangulation(const PeriodicSet& set, const Options& options)
-    : set_(set), images_(set) {
+    : set_(set), threads_(options.threads), images_(set) {
   guard(options, [&](const Options& of_batches) { construct(of_batches); });
 }
 
 GhostTriangulation::GhostTriangulation(const PeriodicSet& set, const GhostTriangulation& before,
                                        const Options& options)
-    : set_(set), images_(set) {
+    : set_(set), threads_(options.threads), images_(set) {
   guard(options, [&](const Options& of_batches) {
     if (!step_from(before)) construct(of_batches);
   });
@@ -292,15 +365,18 @@ void GhostTriangulation::begin() {
   const std::size_t n = set_.num_points(), width = set_.row_size();
   own_row_.resize(n);
   std::iota(own_row_.begin(), own_row_.end(), std::uint32_t{0});
-  image_of_row_.clear();
-  for (const std::uint32_t row : own_row_) image_of_row_.push_back({row, 0});
-  const std::vector<Image> frame = images_.frame();
-  image_of_row_.insert(image_of_row_.end(), frame.begin(), frame.end());
+  std::vector<Image> ghosts = images_.frame();
   if (const double layer_size = layer_width(set_.dimension); layer_size > 0 && set_.rank > 0) {
     const std::vector<Image> layer = images_.layer(layer_size);
-    image_of_row_.insert(image_of_row_.end(), layer.begin(), layer.end());
+    ghosts.insert(ghosts.end(), layer.begin(), layer.end());
   }
-  std::vector<double> rows = set_.rows;
+  image_of_row_.clear();
+  image_of_row_.reserve(n + 2 * ghosts.size());  // some more come later
+  for (const std::uint32_t row : own_row_) image_of_row_.push_back({row, 0});
+  image_of_row_.insert(image_of_row_.end(), ghosts.begin(), ghosts.end());
+  std::vector<double> rows;
+  rows.reserve(image_of_row_.size() * width);
+  rows = set_.rows;
   rows.resize(image_of_row_.size() * width);
   for (std::size_t i = n; i < image_of_row_.size(); ++i)
     images_.copy_image(image_of_row_[i], &rows[i * width]);

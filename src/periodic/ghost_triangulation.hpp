@@ -83,6 +83,7 @@ class GhostTriangulation {
   void enter_vertices();
 
   const PeriodicSet& set_;
+  unsigned threads_;  // as Options::threads
   Images images_;
   std::optional<Delaunay<>> delaunay_;
   std::optional<Regular<>> regular_;

@@ -72,7 +72,16 @@ Integer Period::floor_of_fraction(std::size_t i, const double* x) const {
   return quotient;
 }
 
+bool Period::is_inside(const double* x) const {
+  for (std::size_t i = 0; i < rank_; ++i) {
+    const double at = fraction(i, x), slack = fraction_slack(i, x);
+    if (!(at > slack && at < 1 - slack)) return false;
+  }
+  return true;
+}
+
 bool Period::wrap(int grid, double* x, std::int32_t* wraps) const {
+  if (is_inside(x)) return true;
   // A step leaves a fraction that is off by its slack. Where that is large because the lattice is oblique to
   // a direction in which x is far away, steps may not end.
   constexpr int most_steps = 16;

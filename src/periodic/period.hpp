@@ -65,6 +65,8 @@ class Period {
   }
 
  private:
+  /// Whether all fractions are certain to be in (0, 1).
+  bool is_inside(const double* x) const;
   void subtract(std::span<const std::int32_t> step, bool is_near, int grid, double* x) const;
 
   std::size_t rank_ = 0, dimension_ = 0;

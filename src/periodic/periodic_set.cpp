@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "periodic/periodic_set.hpp"
 
-#include "base/quick_rounds.hpp"
+#include "base/parallel_parts.hpp"
 #include "base/require_finite.hpp"
 #include "periodic/lattice_reduction.hpp"
 
@@ -49,7 +49,7 @@ class SetMaker {
     set_.weighted = input_.is_weighted;
     set_.unit = input_.unit;
     given_.assign(input_.lattice.begin(), input_.lattice.end());
-    for (double& x : given_) x = number_of(x, "a lattice vector");
+    for (double& x : given_) x = number_of(x, "a lattice vector", set_.displacement);
     IntegerRows rows = integers_of(given_);
     require_independent(rows.entries);
     sums_ = reduce_lattice(rows.entries, r_);
@@ -68,16 +68,16 @@ class SetMaker {
   std::vector<double> free_extent(const EachPoint& each_point) {
     std::vector<double> free(d_, 0.0), x(d_);
     if (r_ == d_) return free;
-    const double displacement = set_.displacement;  // of the lattice: points are not placed here
+    double ignored = 0;  // points are not placed here
     each_point([&](const double* point) {
-      for (std::size_t j = 0; j < d_; ++j) x[j] = std::ldexp(number_of(point[j], "a coordinate"), -exponent_);
+      for (std::size_t j = 0; j < d_; ++j)
+        x[j] = std::ldexp(number_of(point[j], "a coordinate", ignored), -exponent_);
       for (std::size_t j = 0; j < d_; ++j) {
         double part = x[j];
         for (std::size_t i = 0; i < r_; ++i) part -= period_.fraction(i, x.data()) * period_.vector(i)[j];
         free[j] = std::max(free[j], std::abs(part));
       }
     });
-    set_.displacement = displacement;
     return free;
   }
 
@@ -128,19 +128,18 @@ class SetMaker {
       refuse("the lattice is singular: its vectors are linearly dependent");
   }
 
-  /// A number of the caller as it is, or as a multiple of the unit.
-  double number_of(double x, const char* what) {
+  /// A number of the caller as it is, or as a multiple of the unit. `displacement`: the most that any has
+  /// moved.
+  double number_of(double x, const char* what, double& displacement) const {
     if (input_.unit == 0) return x;
     const double multiple = std::nearbyint(x / input_.unit);
     if (!(std::abs(multiple) <= 0x1p53))
       refuse(std::string("the unit is too small: ") + what + " is not below 2^53 units");
     // Decimal numbers and the product are rounded.
     const double moved = std::abs(x - multiple * input_.unit);
-    if (moved > 0x1p-51 * std::abs(x)) note_displacement(moved);
+    if (moved > 0x1p-51 * std::abs(x)) displacement = std::max(displacement, moved);
     return multiple;
   }
-
-  void note_displacement(double moved) { set_.displacement = std::max(set_.displacement, moved); }
 
   /// What coordinates of images are below, and the grid.
   void choose_grid(std::span<const double> free) {
@@ -162,19 +161,23 @@ class SetMaker {
     if (input_.unit == 0 && std::abs(e) > moderate) set_.scale = e;
     for (double& x : set_.largest) x = std::ldexp(x, exponent_ - set_.scale);
     set_.query_grid = e - 53 - set_.scale;
+    to_grid_ = PowerOfTwo(-grid_);
+    from_grid_ = PowerOfTwo(grid_);
+    to_set_ = PowerOfTwo(grid_ - set_.scale);
   }
 
   /// The nearest multiple of u, in the numbers of the set.
-  double snapped(double x) {
-    const double multiple = std::nearbyint(std::ldexp(x, -grid_));
+  double snapped(double x, double& displacement) const {
+    const double multiple = std::nearbyint(to_grid_(x));
     if (!std::isfinite(multiple)) return multiple;
-    const double back = std::ldexp(multiple, grid_);
-    if (back != x) note_displacement(std::abs(x - back) * (input_.unit > 0 ? input_.unit : 1));
-    return std::ldexp(multiple, grid_ - set_.scale);
+    const double back = from_grid_(multiple);
+    if (back != x)
+      displacement = std::max(displacement, std::abs(x - back) * (input_.unit > 0 ? input_.unit : 1));
+    return to_set_(multiple);
   }
 
   void snap_lattice() {
-    for (const double x : given_) set_.lattice.push_back(snapped(x));
+    for (const double x : given_) set_.lattice.push_back(snapped(x, set_.displacement));
     const IntegerRows rows = integers_of(set_.lattice);
     std::vector<Integer> reduced(r_ * d_);
     for (std::size_t i = 0; i < r_; ++i)
@@ -192,34 +195,54 @@ class SetMaker {
       refuse("the lattice is not on the grid of " + step_of_grid() + ", and exact input was required");
   }
 
+  /// What there is to say of some rows.
+  struct PartOfRows {
+    double displacement = 0;
+    std::vector<std::size_t> outside, displaced;  // only where they are refused
+  };
+
   void wrap_points() {
     const std::size_t n = input_.points.size() / d_;
-    set_.rows.reserve(n * set_.row_size());
+    set_.rows.resize(n * set_.row_size());
     set_.wraps.assign(n * r_, 0);
+    constexpr std::size_t rows_in_part = 4096;
+    std::vector<PartOfRows> parts((n + rows_in_part - 1) / rows_in_part);
+    internal::for_parts(input_.threads, n, rows_in_part,
+                        [&](std::size_t first, std::size_t last, const internal::StopPoint& stop) {
+                          for (std::size_t row = first; row < last; ++row) {
+                            if (row % 64 == 0) stop();
+                            wrap_point(row, parts[first / rows_in_part]);
+                          }
+                        });
     std::vector<std::size_t> outside, displaced;
-    std::vector<double> x(d_);
-    internal::QuickRounds round;
-    for (std::size_t row = 0; row < n; ++row) {
-      round();
-      const double before = std::exchange(set_.displacement, 0.0);
-      for (std::size_t j = 0; j < d_; ++j)
-        x[j] = snapped(number_of(input_.points[row * d_ + j], "a coordinate"));
-      if (set_.displacement > 0) displaced.push_back(row);
-      set_.displacement = std::max(set_.displacement, before);
-      std::int32_t* const wraps = set_.wraps.data() + row * r_;
-      if (!set_.period.wrap(grid_ - set_.scale, x.data(), wraps)) refuse_far(row);
-      if (std::any_of(wraps, wraps + r_, [](std::int32_t k) { return k != 0; })) outside.push_back(row);
-      for (const double coordinate : x) set_.rows.push_back(coordinate + 0.0);
-      if (set_.weighted) set_.rows.push_back(weight(row));
+    for (const PartOfRows& part : parts) {
+      set_.displacement = std::max(set_.displacement, part.displacement);
+      outside.insert(outside.end(), part.outside.begin(), part.outside.end());
+      displaced.insert(displaced.end(), part.displaced.begin(), part.displaced.end());
     }
-    if (!input_.wraps && !outside.empty())
+    if (!outside.empty())
       refuse("point " + std::to_string(outside.front()) + " is outside of the box" +
                  internal::and_of_more(outside),
              outside);
-    if (input_.is_exact && !displaced.empty())
+    if (!displaced.empty())
       refuse("point " + std::to_string(displaced.front()) + " is not on the grid of " + step_of_grid() +
                  ", and exact input was required" + internal::and_of_more(displaced),
              displaced);
+  }
+
+  void wrap_point(std::size_t row, PartOfRows& part) {
+    double* const x = set_.rows.data() + row * set_.row_size();
+    double displacement = 0;
+    for (std::size_t j = 0; j < d_; ++j)
+      x[j] = snapped(number_of(input_.points[row * d_ + j], "a coordinate", displacement), displacement);
+    if (input_.is_exact && displacement > 0) part.displaced.push_back(row);
+    part.displacement = std::max(part.displacement, displacement);
+    std::int32_t* const wraps = set_.wraps.data() + row * r_;
+    if (!set_.period.wrap(grid_ - set_.scale, x, wraps)) refuse_far(row);
+    if (!input_.wraps && std::any_of(wraps, wraps + r_, [](std::int32_t k) { return k != 0; }))
+      part.outside.push_back(row);
+    for (std::size_t j = 0; j < d_; ++j) x[j] += 0.0;
+    if (set_.weighted) x[d_] = weight(row);
   }
 
   std::string step_of_grid() const { return input_.unit > 0 ? "the unit" : "2^" + std::to_string(grid_); }
@@ -236,6 +259,7 @@ class SetMaker {
   std::vector<double> given_;  // the lattice as numbers
   Period period_;              // reduced, in units of 2^exponent, nearly
   int exponent_ = 0, grid_ = 0;
+  PowerOfTwo to_grid_{0}, from_grid_{0}, to_set_{0};  // from numbers in steps of the grid
   std::vector<Integer> sums_;
   PeriodicSet set_;
 };
@@ -252,12 +276,17 @@ void PeriodicSet::to_given_basis(std::span<const std::int64_t> k, std::int32_t* 
   }
 }
 
-std::vector<double> PeriodicSet::given_points(std::span<const double> given) const {
-  std::vector<double> points;
-  points.reserve(given.size());
-  for (const double x : given)
-    points.push_back(unit > 0 ? std::nearbyint(x / unit) * unit
-                              : std::ldexp(std::nearbyint(std::ldexp(x, -grid)), grid));
+std::vector<double> PeriodicSet::given_points(std::span<const double> given, unsigned threads) const {
+  const PowerOfTwo to_grid(-grid), from_grid(grid);
+  std::vector<double> points(given.size());
+  constexpr std::size_t numbers_in_part = 1 << 14;
+  internal::for_parts(threads, given.size(), numbers_in_part,
+                      [&](std::size_t first, std::size_t last, const internal::StopPoint& stop) {
+                        stop();
+                        for (std::size_t i = first; i < last; ++i)
+                          points[i] = unit > 0 ? std::nearbyint(given[i] / unit) * unit
+                                               : from_grid(std::nearbyint(to_grid(given[i])));
+                      });
   return points;
 }
 

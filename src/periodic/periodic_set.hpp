@@ -21,6 +21,18 @@
 
 namespace delone::periodic {
 
+/// Multiplies by 2^exponent, rounded as by std::ldexp: where that is a normal number, the product is.
+class PowerOfTwo {
+ public:
+  explicit PowerOfTwo(int exponent)
+      : exponent_(exponent), factor_(std::abs(exponent) < 1000 ? std::ldexp(1.0, exponent) : 0) {}
+  double operator()(double x) const { return factor_ > 0 ? x * factor_ : std::ldexp(x, exponent_); }
+
+ private:
+  int exponent_;
+  double factor_;
+};
+
 /// What a set is made of.
 struct SetInput {
   std::span<const double> points;   ///< n×d
@@ -31,6 +43,7 @@ struct SetInput {
   bool is_exact = false;  ///< refuse what is not on the grid
   bool wraps = true;      ///< move points into the box; otherwise refuse those outside
   double unit = 0;        ///< 0: none
+  unsigned threads = 1;   ///< as Options::threads
 };
 
 struct PeriodicSet {
@@ -63,7 +76,7 @@ struct PeriodicSet {
   /// Of a set with a unit that is finer than the unit. Beyond 2^53 of its steps: as it is.
   double snapped_query(double x) const;
   /// The points, n×d, where they were given, on the grid, in numbers of the caller.
-  std::vector<double> given_points(std::span<const double> given) const;
+  std::vector<double> given_points(std::span<const double> given, unsigned threads) const;
   /// Moves a point of the caller onto the grid and into the box: d coordinates, and the weight if there are
   /// weights. REQUIRES finite numbers. Throws invalid_argument with the row.
   void place(std::size_t row, double* point) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The members of PeriodicTriangulation.
 #include "base/guarded.hpp"
+#include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
 #include "base/require_dimension.hpp"
 #include "base/require_tolerance.hpp"
@@ -8,6 +9,7 @@
 #include "periodic/periodic_triangulation_impl.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <numeric>
 #include <string>
 
@@ -78,7 +80,8 @@ PeriodicTriangulation::PeriodicTriangulation(std::span<const double> points, std
                 std::to_string(weights.size()) + " weights for " + std::to_string(n) + " points");
   internal::guarded("the periodic triangulation", [&] {
     const internal::ProgressMeter meter(options.progress);
-    periodic::SetInput input{points, weights, lattice.vectors, d, is_regular, how.exact, how.wrap, how.unit};
+    periodic::SetInput input{points,   weights,  lattice.vectors, d, is_regular, how.exact,
+                             how.wrap, how.unit, options.threads};
     impl_ = std::make_unique<Impl>(input, lattice, how, options);
     impl_->describe(points, weights);
   });
@@ -103,9 +106,10 @@ PeriodicTriangulation::PeriodicTriangulation(const PeriodicTriangulation& before
                                          std::to_string(before.num_points()) + " points");
   internal::guarded("the periodic triangulation", [&] {
     const internal::ProgressMeter meter(from.options.progress);
-    impl_ = std::make_unique<Impl>(periodic::SetInput{points, weights, of_step.vectors, d, from.set.weighted,
-                                                      from.how.exact, from.how.wrap, from.how.unit},
-                                   of_step, from);
+    impl_ = std::make_unique<Impl>(
+        periodic::SetInput{points, weights, of_step.vectors, d, from.set.weighted, from.how.exact,
+                           from.how.wrap, from.how.unit, from.options.threads},
+        of_step, from);
     impl_->describe(points, weights);
   });
 }
@@ -119,28 +123,39 @@ void PeriodicTriangulation::Impl::describe(std::span<const double> given,
   lattice.dimension = given_lattice.dimension;
   for (const double x : set.lattice) lattice.vectors.push_back(set.outer(x));
   const std::size_t n = set.num_points(), r = set.rank;
-  points = set.given_points(given);
+  points = set.given_points(given, options.threads);
   weights.assign(given_weights.begin(), given_weights.end());
   vertex_of_point.resize(n);
   point_offsets.resize(n * r);
-  std::vector<std::int64_t> offset(r);
-  for (std::size_t row = 0; row < n; ++row) {
-    const VertexId v = ghosts.vertex_of_row(row);
-    if (v == invalid_vertex) {
-      vertex_of_point[row] = -1;
-      ++num_hidden;
-      continue;
-    }
-    const std::uint32_t first = ghosts.image_of(v).row;
-    vertex_of_point[row] = static_cast<SignedIndex>(first);
-    if (first == row) {
-      ++num_vertices;
-      continue;
-    }
-    for (std::size_t i = 0; i < r; ++i)
-      offset[i] = std::int64_t{set.wraps[row * r + i]} - set.wraps[first * r + i];
-    set.to_given_basis(offset, &point_offsets[row * r]);
-  }
+  constexpr std::size_t rows_in_part = 4096;
+  std::atomic<std::size_t> vertices = 0, hidden = 0;
+  internal::for_parts(options.threads, n, rows_in_part,
+                      [&](std::size_t first, std::size_t last, const internal::StopPoint& stop) {
+                        stop();
+                        std::vector<std::int64_t> offset(r);
+                        std::size_t of_part = 0, hidden_of_part = 0;
+                        for (std::size_t row = first; row < last; ++row) {
+                          const VertexId v = ghosts.vertex_of_row(row);
+                          if (v == invalid_vertex) {
+                            vertex_of_point[row] = -1;
+                            ++hidden_of_part;
+                            continue;
+                          }
+                          const std::uint32_t same = ghosts.image_of(v).row;
+                          vertex_of_point[row] = static_cast<SignedIndex>(same);
+                          if (same == row) {
+                            ++of_part;
+                            continue;
+                          }
+                          for (std::size_t i = 0; i < r; ++i)
+                            offset[i] = std::int64_t{set.wraps[row * r + i]} - set.wraps[same * r + i];
+                          set.to_given_basis(offset, &point_offsets[row * r]);
+                        }
+                        vertices += of_part;
+                        hidden += hidden_of_part;
+                      });
+  num_vertices = vertices;
+  num_hidden = hidden;
 }
 
 int PeriodicTriangulation::dimension() const { return impl_->lattice.dimension; }

@@ -8,6 +8,9 @@
 // determinant exceeds 2⁻¹⁶P, the center is off by less than 2⁻³⁰(S + |x|) in each coordinate, x the center
 // from the first vertex, and S ≤ 6|x| as no edge is longer than the diameter. So the ball with 1 + 2⁻²⁰ times
 // the radius contains the sphere. In the plane there are fewer roundings, and the same bounds hold.
+//
+// The diameter alone needs no division: it is |N|/|det|, N the numerator. By the same bounds |N|² and det²
+// are off by less than 2⁻²⁰ of themselves, as long as they are normal numbers.
 #pragma once
 
 #include <cmath>
@@ -20,26 +23,27 @@ struct Ball {
   double radius;
 };
 
-/// False if the cell is too flat.
+/// 2·det·(x_1 … x_D), x the center from the first vertex, and the determinant det of the edges.
 template <int D>
-bool find_ball(const double* const* corners, Ball& ball);
+struct BallNumerator {
+  double center[D], determinant;
+  bool is_flat;  ///< too flat for the bounds
+};
+
+template <int D>
+BallNumerator<D> find_numerator(const double* const* corners);
 
 template <>
-inline bool find_ball<2>(const double* const* corners, Ball& ball) {
+inline BallNumerator<2> find_numerator<2>(const double* const* corners) {
   const double* const p = corners[0];
   const double ax = corners[1][0] - p[0], ay = corners[1][1] - p[1], bx = corners[2][0] - p[0],
                by = corners[2][1] - p[1];
   const double aa = ax * ax + ay * ay, bb = bx * bx + by * by, det = ax * by - ay * bx;
-  if (!(det * det > 0x1p-32 * aa * bb)) return false;
-  const double x = (aa * by - bb * ay) / (2 * det), y = (bb * ax - aa * bx) / (2 * det);
-  ball.center[0] = p[0] + x;
-  ball.center[1] = p[1] + y;
-  ball.radius = std::sqrt(x * x + y * y) * (1 + 0x1p-20);
-  return true;
+  return {{aa * by - bb * ay, bb * ax - aa * bx}, det, !(det * det > 0x1p-32 * aa * bb)};
 }
 
 template <>
-inline bool find_ball<3>(const double* const* corners, Ball& ball) {
+inline BallNumerator<3> find_numerator<3>(const double* const* corners) {
   const double* const p = corners[0];
   double e[3][3], squares[3];
   for (std::size_t i = 0; i < 3; ++i) {
@@ -53,18 +57,39 @@ inline bool find_ball<3>(const double* const* corners, Ball& ball) {
     normals[i][1] = f[2] * g[0] - f[0] * g[2];
     normals[i][2] = f[0] * g[1] - f[1] * g[0];
   }
+  BallNumerator<3> found;
+  for (std::size_t j = 0; j < 3; ++j)
+    found.center[j] = squares[0] * normals[0][j] + squares[1] * normals[1][j] + squares[2] * normals[2][j];
   const double det = e[0][0] * normals[0][0] + e[0][1] * normals[0][1] + e[0][2] * normals[0][2];
-  if (!(det * det > 0x1p-32 * squares[0] * squares[1] * squares[2])) return false;
-  const double factor = 0.5 / det;
+  found.determinant = det;
+  found.is_flat = !(det * det > 0x1p-32 * squares[0] * squares[1] * squares[2]);
+  return found;
+}
+
+/// False if the cell is too flat.
+template <int D>
+bool find_ball(const double* const* corners, Ball& ball) {
+  const BallNumerator<D> numerator = find_numerator<D>(corners);
+  if (numerator.is_flat) return false;
+  const double factor = 0.5 / numerator.determinant;
   double square = 0;
-  for (std::size_t j = 0; j < 3; ++j) {
-    const double x =
-        (squares[0] * normals[0][j] + squares[1] * normals[1][j] + squares[2] * normals[2][j]) * factor;
-    ball.center[j] = p[j] + x;
+  for (int j = 0; j < D; ++j) {
+    const double x = numerator.center[j] * factor;
+    ball.center[j] = corners[0][j] + x;
     square += x * x;
   }
   ball.radius = std::sqrt(square) * (1 + 0x1p-20);
   return true;
+}
+
+/// Whether the circumsphere is certain to have a smaller diameter. False if the cell is too flat.
+template <int D>
+bool is_narrower(const double* const* corners, double diameter) {
+  const BallNumerator<D> numerator = find_numerator<D>(corners);
+  double square = 0;
+  for (const double x : numerator.center) square += x * x;
+  const double most = diameter * numerator.determinant, square_of_most = most * most;
+  return !numerator.is_flat && square * (1 + 0x1p-18) < square_of_most && square_of_most > 0x1p-900;
 }
 
 }  // namespace delone::periodic

@@ -56,7 +56,7 @@ TEST(PeriodicSet, CoarseInputIsNotMoved) {
   std::vector<double> points{0.1f, 0.7f, 100.3f, -5.9f};
   const PeriodicSet set = set_of(points, {12.5f, 0, 0, 7.25f}, 2);
   EXPECT_EQ(set.displacement, 0);
-  EXPECT_EQ(set.given_points(points), points);
+  EXPECT_EQ(set.given_points(points, 1), points);
 }
 
 TEST(PeriodicSet, OffsetsAreThoseOfTheCaller) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Quick balls contain the spheres that are computed without error.
+// Quick balls contain the spheres that are computed without error, and diameters are bounded by theirs.
 #include "periodic/quick_ball.hpp"
 
 #include "solve/cell_center.hpp"
@@ -43,12 +43,24 @@ void expect_balls_contain_spheres() {
     }
     EXPECT_LT(std::sqrt(distance) + std::sqrt(radius), ball.radius);
     EXPECT_LT(ball.radius, std::sqrt(radius) * (1 + 0x1p-19));
+    const double diameter = 2 * std::sqrt(radius);
+    EXPECT_FALSE(is_narrower<D>(pointers, diameter * (1 - 0x1p-50)));
+    EXPECT_TRUE(is_narrower<D>(pointers, diameter * (1 + 0x1p-17)));
   }
   EXPECT_GT(found, 10000);
 }
 
 TEST(QuickBall, InThePlane) { expect_balls_contain_spheres<2>(); }
 TEST(QuickBall, InSpace) { expect_balls_contain_spheres<3>(); }
+
+TEST(QuickBall, CellsThatAreFlatOrTinyAreNotNarrow) {
+  const double a[] = {0, 0, 0}, b[] = {1, 0, 0}, c[] = {0, 1, 0}, flat[] = {1, 1, 0};
+  const double* const in_a_plane[] = {a, b, c, flat};
+  EXPECT_FALSE(is_narrower<3>(in_a_plane, 1e100));
+  const double d[] = {1e-70, 0, 0}, e[] = {0, 1e-70, 0}, f[] = {0, 0, 1e-70};
+  const double* const tiny[] = {a, d, e, f};
+  EXPECT_FALSE(is_narrower<3>(tiny, 1e-60));
+}
 
 }  // namespace
 }  // namespace delone::periodic
