@@ -8,6 +8,7 @@
 
 #include "base/progress_meter.hpp"
 #include "kernel/binary.hpp"
+#include "kernel/double_double_determinant.hpp"
 #include "kernel/grid.hpp"
 #include "kernel/int128.hpp"
 #include "kernel/integer_determinant.hpp"
