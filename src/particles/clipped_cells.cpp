@@ -100,7 +100,9 @@ void CellClipper::clip(Index v, std::span<const Index> neighbors, bool proper, b
     if (!with_vertices) continue;
     const std::vector<Index> in_order = d == 2 || d == 3 ? clipper_.ordered_facet(of_facet, number) : corners;
     face.vertices.assign(in_order.begin(), in_order.end());
-    if (d == 3) std::ranges::rotate(face.vertices, std::ranges::min_element(face.vertices));
+    if (d == 3)
+      std::rotate(face.vertices.begin(), std::min_element(face.vertices.begin(), face.vertices.end()),
+                  face.vertices.end());
   }
 }
 
@@ -119,7 +121,8 @@ void CellClipper::list_vertices(std::vector<Index>& number) {
     for (std::size_t j = 0; j < d; ++j)
       vertex.at.push_back(kernel::nearest_double(exact.at.numerators[j], exact.at.denominator, exact.grid));
   }
-  std::ranges::stable_sort(vertices, {}, &Vertex::at);
+  std::stable_sort(vertices.begin(), vertices.end(),
+                   [](const Vertex& a, const Vertex& b) { return a.at < b.at; });
   std::vector<Index> place(number.size(), invalid_index);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     place[vertices[i].number] = static_cast<Index>(i);
