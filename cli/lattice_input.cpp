@@ -61,6 +61,12 @@ std::vector<double> vectors_of_lengths(const std::string& text, std::size_t d) {
   return Lattice::box(lengths).vectors;
 }
 
+void require_file(const std::string& lattice) {
+  if (std::error_code error; !std::filesystem::exists(lattice, error))
+    throw Error(Errc::cannot_open,
+                fmt::format("--lattice {}: neither lengths nor a file", input_name(lattice)));
+}
+
 }  // namespace
 
 CLI::Option* LatticeInput::add_to(CLI::App& command) {
@@ -90,9 +96,7 @@ Lattice LatticeInput::read(int dimension) const {
   const auto d = static_cast<std::size_t>(dimension);
   Lattice all{dimension, vectors_of_lengths(lattice, d)};
   if (all.vectors.empty()) {
-    if (std::error_code error; lattice != "-" && !std::filesystem::exists(lattice, error))
-      throw Error(Errc::cannot_open,
-                  fmt::format("--lattice {}: neither lengths nor a file", input_name(lattice)));
+    if (lattice != "-") require_file(lattice);
     const PointTable rows = about("--lattice", [&] { return read_points(lattice); });
     if (rows.dimension != dimension)
       throw UsageError(fmt::format("--lattice {}: vectors of {} numbers for points of dimension {}",
@@ -117,9 +121,7 @@ Lattice LatticeInput::of_tiles() const {
           fmt::format("--lattice {}: tiles take a length per axis, separated by commas", lattice));
     return read(static_cast<int>(items.size()));
   }
-  if (std::error_code error; !std::filesystem::exists(lattice, error))
-    throw Error(Errc::cannot_open,
-                fmt::format("--lattice {}: neither lengths nor a file", input_name(lattice)));
+  require_file(lattice);
   return read(about("--lattice", [&] { return read_points(lattice); }).dimension);
 }
 

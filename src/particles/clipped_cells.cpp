@@ -14,9 +14,10 @@
 #include <utility>
 
 namespace delone::particles {
-/// Coordinates of the box are doubles, so rounding does not move a
-/// coordinate across them. Centers on a wall are not inside, as a whole face may lie there, and is part of
-/// the wall. A value of a halfspace is off by d·u for its products and sums, and u for the center.
+
+/// Coordinates of the box are doubles, so rounding does not move a coordinate across them. Centers on a wall
+/// are not inside, as a whole face may lie there, and is part of the wall. A value of a halfspace is off by
+/// d·u for its products and sums, and u for the center.
 bool is_inside(const double* center, std::size_t d, const Container& container) {
   for (std::size_t j = 0; j < d; ++j)
     if (!(center[j] > container.box.low[j] && center[j] < container.box.high[j])) return false;

@@ -27,18 +27,11 @@ using namespace delone;
 using test::cube;
 using test::grid;
 using test::num_ranks;
+using test::options_of_tiles;
 using test::rank_of;
 
 class PeriodicMpiTiles : public test::MpiTiles {
  protected:
-  static TilesOptions options(const Lattice& lattice, std::size_t tiles, bool weighted = false) {
-    TilesOptions made;
-    made.lattice = lattice;
-    made.tiles = tiles;
-    made.weighted = weighted;
-    made.memory = std::uint64_t{8} << 30;
-    return made;
-  }
   /// By turns as few tiles as possible, and more than ranks.
   void expect_as_in_one_piece(const std::vector<double>& points, const std::vector<double>& weights,
                               const Lattice& lattice, double unit = 0) {
@@ -47,7 +40,7 @@ class PeriodicMpiTiles : public test::MpiTiles {
     const std::vector<double> rows = test::rows_of(points, weights, lattice.dimension);
     const int columns = lattice.dimension + (weights.empty() ? 0 : 1);
     const std::string out = path(std::to_string(number_));
-    TilesOptions how = options(lattice, number_ % 2 == 0 ? 0 : 7, !weights.empty());
+    TilesOptions how = options_of_tiles(lattice, number_ % 2 == 0 ? 0 : 7, !weights.empty());
     how.unit = unit;
     const TilesIndex index =
         mpi::make_tiles(test::rows_of_rank(rows, columns, number_), out, MPI_COMM_WORLD, how);
@@ -199,7 +192,7 @@ TEST_F(PeriodicMpiTiles, ReadsFiles) {
   }
   MPI_Barrier(MPI_COMM_WORLD);
   for (const std::string name : {"whole.txt", "whole.raw"}) {
-    TilesOptions how = options(cube(2), 3);
+    TilesOptions how = options_of_tiles(cube(2), 3);
     how.columns = 2;
     const TilesIndex index = mpi::make_tiles({path(name)}, path(name + ".out"), MPI_COMM_WORLD, how);
     if (rank_of() == 0) test::expect_as_in_one_piece(index, path(name + ".out"), points, {}, cube(2));
@@ -209,7 +202,7 @@ TEST_F(PeriodicMpiTiles, ReadsFiles) {
 TEST_F(PeriodicMpiTiles, GoesOnWithWhatIsThere) {
   const std::vector<double> points = make_point_set("uniform", 3, 400);
   const std::string out = path("out");
-  TilesOptions how = options(cube(3), 4 * static_cast<std::size_t>(num_ranks()));
+  TilesOptions how = options_of_tiles(cube(3), 4 * static_cast<std::size_t>(num_ranks()));
   how.progress = [&](double) { return !std::filesystem::exists(out + "/work/tile-0001.json"); };
   const auto make = [&](const Lattice& lattice, std::uint64_t seed, mpi::RankEffort* effort = nullptr) {
     how.lattice = lattice;
@@ -266,7 +259,8 @@ void expect_error(Errc code, const std::string& text, const Work& work) {
 TEST_F(PeriodicMpiTiles, AllRanksThrowTheSame) {
   std::vector<double> points = make_point_set("uniform", 2, 50);
   const auto make = [&](const Lattice& lattice, std::size_t tiles = 0) {
-    mpi::make_tiles(test::rows_of_rank(points, 2, 1), path("out"), MPI_COMM_WORLD, options(lattice, tiles));
+    mpi::make_tiles(test::rows_of_rank(points, 2, 1), path("out"), MPI_COMM_WORLD,
+                    options_of_tiles(lattice, tiles));
   };
   expect_error(Errc::bad_dimension, "the lattice has 3 dimensions, not 2", [&] { make(cube(3)); });
   expect_error(Errc::invalid_argument, "lattice vector 1 is zero", [&] { make({2, {1, 0, 0, 0}}); });
@@ -284,13 +278,13 @@ TEST_F(PeriodicMpiTiles, AllRanksThrowTheSame) {
     expect_error(Errc::invalid_argument, "not that of rank 0",
                  [&] { make(rank_of() == 0 ? Lattice{} : cube(2)); });
   expect_error(Errc::unsupported, "vtu", [&] {
-    TilesOptions how = options(cube(2), 2);
+    TilesOptions how = options_of_tiles(cube(2), 2);
     how.vtu = true;
     mpi::make_tiles(PointsView(points, 2), path("out"), MPI_COMM_WORLD, how);
   });
   const std::vector<double> many = make_point_set("uniform", 8, 20);
   expect_error(Errc::unsupported, "translations", [&] {
-    mpi::make_tiles(PointsView(many, 8), path("out"), MPI_COMM_WORLD, options(cube(8), 2));
+    mpi::make_tiles(PointsView(many, 8), path("out"), MPI_COMM_WORLD, options_of_tiles(cube(8), 2));
   });
   if (rank_of() == 0) {
     EXPECT_FALSE(std::filesystem::exists(path("out")));

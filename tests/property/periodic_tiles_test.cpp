@@ -24,17 +24,13 @@
 namespace delone {
 namespace {
 
+using test::cube;
+using test::grid;
+using test::options_of_tiles;
+using test::some_weights;
+
 class PeriodicTiles : public ::testing::Test {
  protected:
-  TilesOptions options(std::size_t tiles, const Lattice& lattice, bool weighted, unsigned threads = 1) const {
-    TilesOptions made;
-    made.tiles = tiles;
-    made.lattice = lattice;
-    made.weighted = weighted;
-    made.threads = threads;
-    made.memory = std::uint64_t{1} << 34;
-    return made;
-  }
   void expect_as_in_one_piece(const std::vector<double>& points, const std::vector<double>& weights,
                               const Lattice& lattice, std::size_t tiles, unsigned threads = 1,
                               double unit = 0) {
@@ -42,7 +38,7 @@ class PeriodicTiles : public ::testing::Test {
     const int columns = lattice.dimension + (weights.empty() ? 0 : 1);
     const std::string out = files_.file("out");
     std::filesystem::remove_all(out);
-    TilesOptions how = options(tiles, lattice, !weights.empty(), threads);
+    TilesOptions how = options_of_tiles(lattice, tiles, !weights.empty(), threads);
     how.unit = unit;
     const TilesIndex index = make_tiles(PointsView(rows, columns), out, how);
     test::expect_as_in_one_piece(index, out, points, weights, lattice, unit);
@@ -50,10 +46,6 @@ class PeriodicTiles : public ::testing::Test {
 
   test::MemoryFolder files_;
 };
-
-using test::cube;
-using test::grid;
-using test::some_weights;
 
 TEST_F(PeriodicTiles, UniformPoints) {
   for (const int d : {2, 3}) {
@@ -72,7 +64,7 @@ TEST_F(PeriodicTiles, FilesDoNotDependOnThreads) {
   for (const unsigned threads : {1u, 3u}) {
     const std::string out = files_.file("threads" + std::to_string(threads));
     for (const TilePart& part :
-         make_tiles(PointsView(points, 3), out, options(3, cube(3), false, threads)).parts)
+         make_tiles(PointsView(points, 3), out, options_of_tiles(cube(3), 3, false, threads)).parts)
       for (const std::int64_t checksum : {part.crc32, part.seam_crc32})
         checksums[threads / 2].push_back(checksum);
   }
@@ -179,12 +171,12 @@ TEST_F(PeriodicTiles, DuplicatesAndPointsOutside) {
 TEST_F(PeriodicTiles, DamagedFoldersAreMadeAgain) {
   const std::vector<double> points = make_point_set("uniform", 3, 500, 1);
   const std::string out = files_.file("out");
-  const TilesIndex index = make_tiles(PointsView(points, 3), out, options(4, cube(3), false));
+  const TilesIndex index = make_tiles(PointsView(points, 3), out, options_of_tiles(cube(3), 4));
   const std::string path = out + "/part-0002.seams.npy";
   std::filesystem::remove(path);
   std::filesystem::resize_file(out + "/part-0001.npz", 100);
   EXPECT_FALSE(check_tiles(out).ok);
-  const TilesIndex again = make_tiles(PointsView(points, 3), out, options(4, cube(3), false));
+  const TilesIndex again = make_tiles(PointsView(points, 3), out, options_of_tiles(cube(3), 4));
   EXPECT_EQ(again.hash, index.hash);
   EXPECT_TRUE(check_tiles(out).ok);
 }
@@ -192,19 +184,19 @@ TEST_F(PeriodicTiles, DamagedFoldersAreMadeAgain) {
 TEST_F(PeriodicTiles, WrongFoldersAreFound) {
   const std::vector<double> points = make_point_set("uniform", 3, 500, 1);
   const std::string out = files_.file("out");
-  make_tiles(PointsView(points, 3), out, options(4, cube(3), false));
-  EXPECT_EQ(test::code_of([&] { make_tiles(PointsView(points, 3), out, options(4, cube(3, 2), false)); }),
+  make_tiles(PointsView(points, 3), out, options_of_tiles(cube(3), 4));
+  EXPECT_EQ(test::code_of([&] { make_tiles(PointsView(points, 3), out, options_of_tiles(cube(3, 2), 4)); }),
             Errc::invalid_argument);
   const std::vector<double> others = make_point_set("uniform", 3, 500, 2);
-  EXPECT_EQ(test::code_of([&] { make_tiles(PointsView(others, 3), out, options(4, cube(3), false)); }),
+  EXPECT_EQ(test::code_of([&] { make_tiles(PointsView(others, 3), out, options_of_tiles(cube(3), 4)); }),
             Errc::invalid_argument);
-  EXPECT_EQ(test::code_of([&] { make_tiles(PointsView(points, 3), out, options(4, {}, false)); }),
+  EXPECT_EQ(test::code_of([&] { make_tiles(PointsView(points, 3), out, options_of_tiles({}, 4)); }),
             Errc::invalid_argument);
-  TilesOptions with_unit = options(4, cube(3), false);
+  TilesOptions with_unit = options_of_tiles(cube(3), 4);
   with_unit.unit = 1e-6;
   EXPECT_EQ(test::code_of([&] { make_tiles(PointsView(points, 3), out, with_unit); }),
             Errc::invalid_argument);
-  EXPECT_EQ(test::code_of([&] { make_tiles(PointsView(points, 3), out, options(4, cube(2), false)); }),
+  EXPECT_EQ(test::code_of([&] { make_tiles(PointsView(points, 3), out, options_of_tiles(cube(2), 4)); }),
             Errc::bad_dimension);
   EXPECT_EQ(test::code_of([&] { check_tiles(out, PointsView(points, 3)); }), Errc::unsupported);
   std::ifstream in(out + "/index.json");
@@ -219,13 +211,13 @@ TEST_F(PeriodicTiles, WrongFoldersAreFound) {
 
 TEST_F(PeriodicTiles, WhatTilesDoNotTake) {
   const std::vector<double> points = make_point_set("uniform", 3, 50, 1);
-  TilesOptions how = options(2, cube(3), false);
+  TilesOptions how = options_of_tiles(cube(3), 2);
   how.vtu = true;
   EXPECT_EQ(test::code_of([&] { make_tiles(PointsView(points, 3), files_.file("vtu"), how); }),
             Errc::unsupported);
   const std::vector<double> many = make_point_set("uniform", 8, 50, 1);
   EXPECT_EQ(test::code_of(
-                [&] { make_tiles(PointsView(many, 8), files_.file("high"), options(2, cube(8), false)); }),
+                [&] { make_tiles(PointsView(many, 8), files_.file("high"), options_of_tiles(cube(8), 2)); }),
             Errc::unsupported);
 }
 

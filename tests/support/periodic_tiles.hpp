@@ -33,6 +33,17 @@ inline std::vector<double> rows_of(const std::vector<double>& points, const std:
   return rows;
 }
 
+inline TilesOptions options_of_tiles(const Lattice& lattice, std::size_t tiles, bool weighted = false,
+                                     unsigned threads = 1) {
+  TilesOptions made;
+  made.lattice = lattice;
+  made.tiles = tiles;
+  made.weighted = weighted;
+  made.threads = threads;
+  made.memory = std::uint64_t{8} << 30;
+  return made;
+}
+
 /// Of each cell its vertices, a row and offsets, sorted; sorted.
 class SortedCells {
  public:

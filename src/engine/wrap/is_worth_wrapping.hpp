@@ -5,7 +5,8 @@
 
 namespace delone::engine {
 
-/// Engines of fewer dimensions do not wrap: they never need to. For tests, which are quicker there, they do.
+/// Only engines of 7 and 8 dimensions are ever asked to wrap (below). Developer builds compile wrapping from
+/// two dimensions on, where tests are quick.
 inline constexpr int least_wrapped_dimension = DELONE_LEAST_WRAPPED_DIMENSION;
 constexpr bool can_wrap(int k) { return k >= least_wrapped_dimension; }
 

@@ -166,7 +166,10 @@ void CellMeasure::improve() {
   for (const bool exactly : {false, true}) {
     const PieceTotals totals = find_totals(num_cells_, &size_of(0), &error_of(0));
     if (totals.error <= tolerance * totals.size) return;
-    exactly ? keep_coordinates() : find_exact_differences();
+    if (exactly)
+      keep_coordinates();
+    else
+      find_exact_differences();
     scratch_.resize(num_cells_);
     for (std::size_t c = 0; c < num_cells_; ++c)
       scratch_[c] = error_of(c) < size_of(c) ? size_of(c) - error_of(c) : 0;

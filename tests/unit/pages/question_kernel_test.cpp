@@ -53,6 +53,13 @@ Case random_case(test::Random& random, std::size_t d, bool weighted) {
   return result;
 }
 
+Question<0> question_of(const Case& asked, std::size_t d, bool weighted) {
+  Question<0> question(d, weighted);
+  question.set_largest_weight(asked.largest_weight);
+  question.ask_within_sphere(asked.p.data(), asked.c.data());
+  return question;
+}
+
 TEST(QuestionKernel, PointsOfSpheres) {
   test::Random random(1);
   std::size_t outside = 0, kept_outside = 0;
@@ -60,9 +67,7 @@ TEST(QuestionKernel, PointsOfSpheres) {
     const std::size_t d = 1 + static_cast<std::size_t>(repeat % 6);
     const bool weighted = repeat / 6 % 2 != 0;
     const Case one = random_case(random, d, weighted);
-    Question<0> question(d, weighted);
-    question.set_largest_weight(one.largest_weight);
-    question.ask_within_sphere(one.p.data(), one.c.data());
+    const Question<0> question = question_of(one, d, weighted);
     const std::uint64_t bits = find_points_not_outside(d, question.form(), one.points.data(), 8, 8);
     for (std::size_t i = 0; i < 8; ++i) {
       std::vector<double> x;
@@ -94,9 +99,7 @@ TEST(QuestionKernel, Boxes) {
     const std::size_t d = 1 + static_cast<std::size_t>(repeat % 6);
     const bool weighted = repeat / 6 % 2 != 0;
     const Case low = random_case(random, d, weighted);
-    Question<0> question(d, weighted);
-    question.set_largest_weight(low.largest_weight);
-    question.ask_within_sphere(low.p.data(), low.c.data());
+    const Question<0> question = question_of(low, d, weighted);
     // The boxes of two points each.
     std::vector<double> boxes, others;
     for (std::size_t j = 0; j < d; ++j) {

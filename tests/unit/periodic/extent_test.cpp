@@ -2,6 +2,8 @@
 // Directions, ranges, the points that make the frame, and extents of several parts.
 #include "periodic/extent.hpp"
 
+#include "made_set.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,17 +21,6 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-PeriodicSet set_with(const std::vector<double>& lattice, std::size_t dimension,
-                     const std::vector<double>& points, const std::vector<double>& weights = {}) {
-  SetInput input;
-  input.points = points;
-  input.weights = weights;
-  input.lattice = lattice;
-  input.dimension = dimension;
-  input.is_weighted = !weights.empty();
-  return make_periodic_set(input);
-}
-
 Extent extent_of(const PeriodicSet& set) {
   Extent extent(set);
   for (std::size_t row = 0; row < set.num_points(); ++row)
@@ -46,7 +37,7 @@ std::vector<std::int64_t> extreme_rows(const Extent& extent) {
 TEST(Extent, DirectionsAreOrthonormalAndRangesHoldAllPoints) {
   // Two skewed vectors in space.
   const PeriodicSet set =
-      set_with({1, 0.25, 0, 0.25, 1, 0.5}, 3, {0.5, 0.5, 2, 0.25, 0.25, -7, 0.75, 0.5, 0.5});
+      set_of({0.5, 0.5, 2, 0.25, 0.25, -7, 0.75, 0.5, 0.5}, {1, 0.25, 0, 0.25, 1, 0.5}, 3);
   const Extent extent = extent_of(set);
   ASSERT_EQ(extent.num_free_directions(), 1u);
   for (std::size_t a = 0; a < 3; ++a) {
@@ -79,32 +70,32 @@ TEST(Extent, DirectionsAreOrthonormalAndRangesHoldAllPoints) {
 }
 
 TEST(Extent, ExtremePointsAreInTheMiddleAndAtTheEnds) {
-  EXPECT_THAT(extreme_rows(extent_of(set_with({1, 0}, 2, {}))), IsEmpty());
-  EXPECT_THAT(extreme_rows(extent_of(set_with({1, 0}, 2, {0.1, 5}))), ElementsAre(0));
+  EXPECT_THAT(extreme_rows(extent_of(set_of({}, {1, 0}, 2))), IsEmpty());
+  EXPECT_THAT(extreme_rows(extent_of(set_of({0.1, 5}, {1, 0}, 2))), ElementsAre(0));
   // Middle 1, lowest 3, highest 2; of equally high ones the first.
-  EXPECT_THAT(extreme_rows(extent_of(set_with({1, 0}, 2, {0.1, 0, 0.5, 0, 0.2, 9, 0.3, -2, 0.9, 9}))),
+  EXPECT_THAT(extreme_rows(extent_of(set_of({0.1, 0, 0.5, 0, 0.2, 9, 0.3, -2, 0.9, 9}, {1, 0}, 2))),
               ElementsAre(1, 2, 3));
-  EXPECT_THAT(extreme_rows(extent_of(set_with({1, 0, 0, 1}, 2, {0.1, 0.1, 0.75, 0.75, 0.5, 0.9}))),
+  EXPECT_THAT(extreme_rows(extent_of(set_of({0.1, 0.1, 0.75, 0.75, 0.5, 0.9}, {1, 0, 0, 1}, 2))),
               ElementsAre(1))
       << "no free direction";
 }
 
 TEST(Extent, OfEqualPointsTheHeaviestCounts) {
   const std::vector<double> points{0.5, 0, 0.5, 0, 0.1, 1, 0.1, 1, 0.2, 0.5};
-  const Extent extent = extent_of(set_with({1, 0}, 2, points, {1, 4, 2, 3, -8}));
+  const Extent extent = extent_of(set_of(points, {1, 0}, 2, {1, 4, 2, 3, -8}));
   EXPECT_THAT(extreme_rows(extent), ElementsAre(1, 3));
   EXPECT_EQ(extent.largest_weight(), 4);
   EXPECT_EQ(extent.weight_range(), 8);
   for (const Extent::Extreme& one : extent.extremes()) EXPECT_EQ(one.point.back(), one.row == 1 ? 4 : 3);
   // The heaviest of all, wherever it is.
-  EXPECT_THAT(extreme_rows(extent_of(set_with({1, 0}, 2, points, {1, 4, 2, 3, 8}))), ElementsAre(1, 3, 4));
+  EXPECT_THAT(extreme_rows(extent_of(set_of(points, {1, 0}, 2, {1, 4, 2, 3, 8}))), ElementsAre(1, 3, 4));
 }
 
 TEST(Extent, FrameShiftsAreCornersOrAxes) {
   for (std::size_t rank = 1; rank <= 5; ++rank) {
     std::vector<double> lattice(rank * rank, 0), point(rank, 0.5);
     for (std::size_t i = 0; i < rank; ++i) lattice[i * rank + i] = 1;
-    const PeriodicSet set = set_with(lattice, rank, point);
+    const PeriodicSet set = set_of(point, lattice, rank);
     const auto shifts = Extent(set).frame_shifts();
     const std::size_t nonzero = rank <= 4 ? rank : 1;
     EXPECT_EQ(shifts.size(), rank <= 4 ? std::size_t{1} << rank : 2 * rank);

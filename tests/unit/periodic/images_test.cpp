@@ -3,6 +3,7 @@
 #include "periodic/images.hpp"
 
 #include "degenerate.hpp"
+#include "made_set.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,17 +19,6 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
-
-PeriodicSet weighted_set_of(const std::vector<double>& points, const std::vector<double>& weights,
-                            const std::vector<double>& lattice, std::size_t dimension) {
-  SetInput input;
-  input.points = points;
-  input.weights = weights;
-  input.lattice = lattice;
-  input.dimension = dimension;
-  input.is_weighted = !weights.empty();
-  return make_periodic_set(input);
-}
 
 using Named = std::set<std::pair<std::uint32_t, std::vector<std::int32_t>>>;  // rows and translations
 
@@ -63,7 +53,7 @@ TEST(NextInRange, CountsFromTheLowestToTheHighest) {
 }
 
 TEST(Images, ShiftsAreMadeOnce) {
-  const PeriodicSet set = weighted_set_of({0.25, 0.5, 0.75, 0.125}, {3, -7}, {1, 0, 0.5, 1}, 2);
+  const PeriodicSet set = set_of({0.25, 0.5, 0.75, 0.125}, {1, 0, 0.5, 1}, 2, {3, -7});
   Images images(set);
   EXPECT_EQ(images.num_shifts(), 1u);
   EXPECT_EQ(images.shift_number(std::vector<std::int32_t>{0, 0}), 0u);
@@ -87,7 +77,7 @@ TEST(Images, ShiftsAreMadeOnce) {
 }
 
 TEST(Images, TheFrameHasEveryExtremePoint) {
-  const PeriodicSet set = weighted_set_of({0.5, 0.5, 0, 0.1, 0.2, 9, 0.25, -3}, {}, {1, 0}, 2);
+  const PeriodicSet set = set_of({0.5, 0.5, 0, 0.1, 0.2, 9, 0.25, -3}, {1, 0}, 2);
   Images images(set);
   // The middle one, the highest and the lowest, by one vector to either side.
   const Named frame = named(images, images.frame());
@@ -104,7 +94,7 @@ TEST(Images, TheLayerHasAllThatItSays) {
       for (std::size_t i = 0; i < rank; ++i) lattice[i * width + i] = 16;
       std::vector<double> points = given.points;
       for (double& x : points) x = std::abs(x) < 1e3 ? x : 3;
-      const PeriodicSet set = weighted_set_of(points, {}, lattice, width);
+      const PeriodicSet set = set_of(points, lattice, width);
       for (const double layer_width : {0.01, 1.0, 1e9}) {
         SCOPED_TRACE(given.name + ", width " + std::to_string(layer_width));
         Images images(set);
@@ -133,7 +123,7 @@ TEST(Images, TheLayerHasAllThatItSays) {
 }
 
 TEST(Images, AreForgottenAndKnownAgain) {
-  const PeriodicSet set = weighted_set_of({0.25, 0.5, 0.75, 0.125}, {}, {1, 0, 0, 1}, 2);
+  const PeriodicSet set = set_of({0.25, 0.5, 0.75, 0.125}, {1, 0, 0, 1}, 2);
   Images images(set);
   const std::vector<Image> layer = images.layer(3);
   const Named names = known(images);

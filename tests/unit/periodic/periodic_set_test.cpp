@@ -2,6 +2,7 @@
 #include "periodic/periodic_set.hpp"
 
 #include "kernel/grid.hpp"
+#include "made_set.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,15 +13,6 @@
 
 namespace delone::periodic {
 namespace {
-
-PeriodicSet set_of(const std::vector<double>& points, const std::vector<double>& lattice,
-                   std::size_t dimension) {
-  SetInput input;
-  input.points = points;
-  input.lattice = lattice;
-  input.dimension = dimension;
-  return make_periodic_set(input);
-}
 
 TEST(PeriodicSet, PointsAreInTheBoxAndOnTheGrid) {
   std::mt19937_64 random(1);
