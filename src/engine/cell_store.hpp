@@ -233,6 +233,30 @@ class CellStore {
     if (slots > memory_.link_capacity()) memory_.reserve_links(with_slack(slots, memory_.link_capacity()));
     memory_.prepare_links(slots);
   }
+  /// The first of `count` slots after those of `more` new cells. They hold drafts of cells, which are written
+  /// and computed as cells are, until one is allocated that is not among these. Throws as above.
+  Index reserve_drafts(std::size_t count, std::size_t more) {
+    const std::size_t first = slots_for(more), last = first + count;
+    if (last > max_index)
+      throw Error(Errc::too_many, "the triangulation has more cells than this build has ids");
+    if (last > memory_.capacity()) memory_.reserve(with_slack(last, memory_.capacity()));
+    memory_.prepare(last);
+    return static_cast<Index>(first);
+  }
+  /// Writes a draft to a slot. `neighbor`: what to put in place of the ids of neighbors. The cell has no
+  /// mark.
+  template <class Neighbor>
+  void adopt_draft(Index draft, Index cell, Neighbor&& neighbor) {
+    const CellLayout<K> layout = memory_.layout();
+    const cells::CellRecords<K> records = memory_.records();
+    std::copy_n(records.functional(draft), layout.num_coefficients(), records.functional(cell));
+    *records.certificate(cell) = *records.certificate(draft);
+    const Index* const from = memory_.links(draft);
+    Index* const to = memory_.links(cell);
+    const std::size_t before = layout.ids_before_neighbors();
+    std::copy_n(from, layout.num_coefficients(), to);  // narrow vertices take fewer, neighbors follow
+    for (std::size_t i = 0; i < layout.num_coefficients(); ++i) to[before + i] = neighbor(from[before + i]);
+  }
   /// Makes room for `count` more vacant slots, so that as many calls of release() cannot fail.
   void reserve_vacancies(std::size_t count) {
     if (vacant_.size() < num_vacant_ + count) vacant_.resize(2 * (num_vacant_ + count));

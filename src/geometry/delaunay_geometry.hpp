@@ -192,7 +192,8 @@ class DelaunayGeometry : public PointPredicates<K> {
     else
       return functionals_.evaluator(row.data()).value(cell);
   }
-  auto evaluator_of_row(const double* row) const { return functionals_.evaluator(row); }
+  /// The same at a row.
+  double value_at_row(Index cell, const double* row) const { return functionals_.value(cell, row); }
 
   /// Makes room for a star of vertex v. Throws std::bad_alloc, and then changes nothing.
   void reserve_star(Index v, std::size_t facets) {

@@ -67,15 +67,7 @@ class Functionals {
     }
     /// h̃ of a cell.
     [[gnu::always_inline]] double value(Index cell) const {
-      const double* g = records_.functional(cell);
-      const int varying = Lifted ? k() : k() + 1;  // the other entries are 1
-      Pair sums{Lifted ? g[k()] : 1.0, 0};
-      for (int r = 0; r + 1 < varying; r += 2) sums += load_pair(g + r) * load_pair(row_.data() + r);
-      double h = sums[0] + sums[1];
-      if (varying % 2 == 1) h += g[varying - 1] * row_.data()[varying - 1];
-      if constexpr (!Lifted) return h;
-      const std::uint64_t finite = certificate::finite_mask(packed(cell));
-      return h + std::bit_cast<double>(std::bit_cast<std::uint64_t>(row_.data()[k()]) & finite);
+      return value_of(records_.functional(cell), packed(cell), row_.data(), k());
     }
     /// A value beyond it has the sign of h, for all points of the frame's box; a value within it is off by at
     /// most the threshold.
@@ -97,6 +89,10 @@ class Functionals {
     int k_;
   };
   Evaluator evaluator(const double* row) const { return {memory_, row, per_bend_}; }
+  /// h̃ of one cell at a row.
+  double value(Index cell, const double* row) const {
+    return value_of(functional(cell), packed(cell), row, k());
+  }
 
   double threshold(Index cell) const { return certificate::threshold(packed(cell)); }
   /// The k + 1 coefficients of h̃ before the reference entry.
@@ -162,6 +158,17 @@ class Functionals {
 
  private:
   int k() const { return memory_.dimension(); }
+  [[gnu::always_inline]] static double value_of(const double* g, std::uint64_t packed, const double* row,
+                                                int k) {
+    const int varying = Lifted ? k : k + 1;  // the other entries are 1
+    Pair sums{Lifted ? g[k] : 1.0, 0};
+    for (int r = 0; r + 1 < varying; r += 2) sums += load_pair(g + r) * load_pair(row + r);
+    double h = sums[0] + sums[1];
+    if (varying % 2 == 1) h += g[varying - 1] * row[varying - 1];
+    if constexpr (!Lifted) return h;
+    const std::uint64_t finite = certificate::finite_mask(packed);
+    return h + std::bit_cast<double>(std::bit_cast<std::uint64_t>(row[k]) & finite);
+  }
   const double* functional(Index cell) const { return memory_.records().functional(cell); }
   double* functional(Index cell) { return memory_.records().functional(cell); }
   std::uint64_t packed(Index cell) const {

@@ -3,7 +3,6 @@
 // that stay.
 #pragma once
 
-#include "base/stamped_table.hpp"
 #include "engine/cell_store.hpp"
 #include "engine/conflict_zone.hpp"
 #include "engine/geometry_concept.hpp"
@@ -38,20 +37,22 @@ class Hole {
     leaving_ = v;
     auto marks = cells.marks();
     const auto add = [&](Index next) {
-      zone.reserve(1, width());
       zone.cells[zone.num_cells++] = next;
       marks.set(next, Mark::in_conflict);
       cells.prefetch_around(next);
-      slots_.push_back(copy_vertices(cells, next, v));
     };
+    zone.reserve(1, width());
     add(cell);
     for (std::size_t i = 0; i < zone.num_cells; ++i) {
-      const Index* const neighbors = cells.neighbors(zone.cells[i]);
-      for (int slot = 0; slot < static_cast<int>(width()); ++slot)
-        if (slot != slots_[i] && !marks.is_in_conflict(neighbors[slot])) add(neighbors[slot]);
-      add_border(cells, zone.cells[i], static_cast<std::uint32_t>(i), slots_[i]);
+      zone.reserve(width(), width());
+      const Index dead = zone.cells[i];
+      const int slot = add_cell(cells, geometry, dead);
+      const Index* const neighbors = cells.neighbors(dead);
+      for (int other = 0; other < static_cast<int>(width()); ++other)
+        if (other != slot && !marks.is_in_conflict(neighbors[other])) add(neighbors[other]);
+      add_border(cells, dead, static_cast<std::uint32_t>(i), slot);
     }
-    number_vertices(geometry);
+    number_leaving();
   }
 
   /// Marks the given cells, which are different, and makes them the zone. All their vertices stay.
@@ -65,9 +66,8 @@ class Hole {
     for (const Index cell : dead) {
       zone.cells[zone.num_cells++] = cell;
       marks.set(cell, Mark::in_conflict);
-      copy_vertices(cells, cell, invalid_index);
+      add_cell(cells, geometry, cell);
     }
-    number_vertices(geometry);
     for (std::uint32_t i = 0; i < dead.size(); ++i)
       for (int slot = 0; slot < static_cast<int>(width()); ++slot)
         if (!marks.is_in_conflict(cells.neighbors(dead[i])[slot])) add_border(cells, dead[i], i, slot);
@@ -75,16 +75,18 @@ class Hole {
 
   /// The vertex that goes, or invalid_index.
   Index leaving() const { return leaving_; }
-  std::size_t num_cells() const { return numbers_of_cells_.size() / width(); }
+  std::size_t num_cells() const { return slots_.size(); }
   /// How many of the cells are finite.
   Index num_finite() const { return num_finite_; }
   /// The finite vertices that stay, in the order of their numbers, from 1 on.
   std::span<const Index> vertices() const { return std::span(ids_).subspan(1); }
   Index id(Index number) const { return number < ids_.size() ? ids_[number] : leaving_; }
+  /// The vertices that stay, by number, the infinite one included.
+  const Index* ids() const { return ids_.data(); }
   /// Whether a vertex stays and is one of the hole.
-  bool has_vertex(Index id) const { return numbers_.contains(id); }
+  bool has_vertex(Index id) const { return id < numbers_.size() && numbers_[id] != 0; }
   /// REQUIRES that it has the vertex, or that this is the infinite one.
-  Index number(Index id) const { return id == index(infinite_vertex) ? 0 : *numbers_.find_value(id); }
+  Index number(Index id) const { return numbers_[id]; }
   std::span<const BorderFacet> border() const { return border_; }
   /// The numbers of the vertices of a cell of the hole.
   const Index* numbers_of_cell(std::size_t cell) const { return numbers_of_cells_.data() + cell * width(); }
@@ -99,44 +101,45 @@ class Hole {
     zone.num_undecided = zone.num_open = 0;
     num_finite_ = 0;
     slots_.clear();
-    numbers_of_cells_.clear();
     border_.clear();
+    for (const Index id : ids_) numbers_[id] = 0;  // of the last hole
+    ids_.assign(1, index(infinite_vertex));
   }
-  /// Adds the vertices of a cell to the list, by their ids, and returns the slot of one of them.
-  int copy_vertices(const CellStore<K>& cells, Index cell, Index v) {
-    const std::size_t first = numbers_of_cells_.size();
-    numbers_of_cells_.resize(first + width());
-    Index* const ids = numbers_of_cells_.data() + first;
+  /// Adds a cell, and returns the slot of the vertex that goes: its number is not known yet.
+  template <class Geometry>
+  int add_cell(const CellStore<K>& cells, const Geometry& geometry, Index cell) {
+    const std::size_t first = slots_.size() * width();
+    if (numbers_of_cells_.size() < first + width()) numbers_of_cells_.resize(2 * (first + width()));
+    Index* const numbers = numbers_of_cells_.data() + first;
     const auto vertices = cells.vertices(cell);
-    const Index* const ids_of_cell = vertices;
+    const Index* const ids = vertices;
     int slot = 0;
     bool is_infinite = false;
     for (int i = 0; i < static_cast<int>(width()); ++i) {
-      ids[i] = ids_of_cell[i];
       is_infinite |= ids[i] == index(infinite_vertex);
-      slot |= i & -static_cast<int>(ids[i] == v);
+      if (ids[i] == leaving_)
+        slot = i;
+      else
+        numbers[i] = number_of(ids[i], geometry);
     }
     num_finite_ += is_infinite ? 0 : 1;
+    slots_.push_back(slot);
     return slot;
   }
-  /// Replaces ids by numbers.
-  template <class Geometry>
-  void number_vertices(const Geometry& geometry) {
-    numbers_.clear(ids_.size());  // of the last hole
-    ids_.assign(1, index(infinite_vertex));
-    for (Index& v : numbers_of_cells_)
-      v = v == index(infinite_vertex) ? 0 : v == leaving_ ? invalid_index : number_of(v, geometry);
+  void number_leaving() {
     for (std::size_t cell = 0; cell < slots_.size(); ++cell)
       numbers_of_cells_[cell * width() + static_cast<std::size_t>(slots_[cell])] =
           static_cast<Index>(ids_.size());
   }
   template <class Geometry>
   Index number_of(Index v, const Geometry& geometry) {
-    const auto [number, is_new] = numbers_.insert(v, static_cast<std::uint32_t>(ids_.size()));
-    if (is_new) {
-      ids_.push_back(v);
-      internal::prefetch(geometry.point(v));
-    }
+    if (v < numbers_.size() && (numbers_[v] != 0 || v == index(infinite_vertex))) [[likely]]
+      return numbers_[v];
+    if (v >= numbers_.size()) numbers_.resize(v + std::size_t{v} / 2 + 1);
+    const auto number = static_cast<Index>(ids_.size());
+    ids_.push_back(v);
+    numbers_[v] = number;
+    internal::prefetch(geometry.point(v));
     return number;
   }
   void add_border(const CellStore<K>& cells, Index dead, std::uint32_t inner, int slot) {
@@ -148,9 +151,9 @@ class Hole {
 
   int dimension_ = K;
   Index leaving_ = invalid_index, num_finite_ = 0;
-  std::vector<int> slots_;          // of the vertex that goes, in its cells
-  std::vector<Index> ids_;          // of the vertices, by number
-  internal::StampedTable numbers_;  // by id
+  std::vector<int> slots_;         // of the vertex that goes, in its cells
+  std::vector<Index> ids_{0};      // of the vertices, by number
+  std::vector<Index> numbers_{0};  // by id; 0 for vertices that are not of the hole
   std::vector<Index> numbers_of_cells_;
   std::vector<BorderFacet> border_;
 };

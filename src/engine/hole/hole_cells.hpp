@@ -4,6 +4,7 @@
 
 #include "base/compiler.hpp"
 #include "base/random.hpp"
+#include "engine/hole/facet_keys.hpp"
 #include "engine/hole/hole.hpp"
 
 #include <delone/error.hpp>
@@ -36,21 +37,21 @@ class HoleCells {
     num_cells_ = num_entries_ = num_open_ = 0;
     first_facet_ = static_cast<std::uint32_t>(border.size());
     has_excess_ = is_wrong_ = false;
-    is_packed_ = can_pack && hole.vertices().size() + 1 < (std::uint64_t{1} << (field_bits - 1));
     reserve_facets(2 * border.size());
     std::fill_n(beside_.begin(), border.size(), none);
-    if (!is_packed_)
-      while (keys_.size() <= hole.vertices().size()) keys_.push_back(random::mix(seed_ * (keys_.size() + 1)));
+    set_keys(hole.vertices().size());
     // As many cells as have gone have so many facets.
     clear_table((border.size() + hole.num_cells() * width()) / 2);
     for (std::uint32_t f = 0; f < border.size(); ++f) {
-      write_record(f, hole.numbers_of_cell(border[f].inner), border[f].slot);
+      write_record_of_border(f);
       match(f);
     }
   }
-  /// Other keys tell facets apart from the next begin() on.
+  /// From the next begin() on, other keys tell facets apart, unless the present ones do so for certain.
   void renew_keys() {
+    if (telling_ == Telling::by_keys) return;
     keys_.clear();
+    second_keys_.clear();
     seed_ = random::mix(seed_);
   }
 
@@ -63,6 +64,7 @@ class HoleCells {
       reserve_facets(first_facet_ + 2 * needed * width());
       if (is_odd_.size() < needed) {
         vertices_.resize(2 * needed * width());
+        orientations_.resize(2 * needed);
         is_odd_.resize(2 * needed);
       }
     }
@@ -80,11 +82,18 @@ class HoleCells {
     Index* const vertices = vertices_.data() + cell * width();
     std::copy_n(source, width(), vertices);
     vertices[slot] = apex;
-    is_odd_[cell] = !is_of_border(across) && !is_odd(cell_of(across));
     const auto first = static_cast<std::uint32_t>(first_facet_ + cell * width());
     std::fill_n(beside_.begin() + first, width(), none);
-    write_records(vertices, slot, records_[across], records_.data() + first);
-    for (std::uint32_t i = 0; i < width(); ++i) internal::prefetch(&table_[place(hash(first + i))]);
+    if (is_of_border(across)) {
+      is_odd_[cell] = 0;
+      orientations_[cell] = orientations_of(vertices);
+    } else {
+      const std::size_t from = cell_of(across);
+      is_odd_[cell] = is_odd_[from] ^ 1;
+      orientations_[cell] = orientations_beyond(orientations_[from], vertices, slot, source[slot]);
+    }
+    write_records(vertices, orientations_[cell], records_.data() + first);
+    for (std::uint32_t i = 0; i < width(); ++i) internal::prefetch(&table_[place(records_[first + i])]);
     for (std::uint32_t i = 0; i < width(); ++i) {
       if (i == static_cast<std::uint32_t>(slot)) continue;
       const std::uint32_t other = match(first + i);
@@ -116,7 +125,8 @@ class HoleCells {
 
   std::size_t size() const { return num_cells_; }
   const Index* vertices(std::size_t cell) const { return vertices_.data() + cell * width(); }
-  Index vertex_opposite(std::size_t here) const { return vertices_[here]; }
+  /// The vertex opposite a facet that is not of the border.
+  Index vertex_opposite(std::uint32_t facet) const { return vertices_[facet - first_facet_]; }
   /// Whether a cell is oriented negatively.
   bool is_odd(std::size_t cell) const { return is_odd_[cell] != 0; }
   std::size_t num_facets() const { return num_cells_ * width(); }
@@ -124,6 +134,10 @@ class HoleCells {
   std::uint32_t facet(std::size_t here) const { return first_facet_ + static_cast<std::uint32_t>(here); }
   /// For a facet, that of another cell, or of the border, which is the same; none if there is none yet.
   std::uint32_t beside(std::uint32_t facet) const { return beside_[facet]; }
+  /// The same for the k + 1 facets of a cell.
+  const std::uint32_t* beside_of_cell(std::size_t cell) const {
+    return beside_.data() + first_facet_ + cell * width();
+  }
   bool is_of_border(std::uint32_t facet) const { return facet < first_facet_; }
   /// The cell of a facet that is not of the border.
   std::size_t cell_of(std::uint32_t facet) const { return (facet - first_facet_) / width(); }
@@ -133,7 +147,11 @@ class HoleCells {
   /// Whether every facet has been matched with one other.
   bool are_all_matched() const { return num_open_ == 0 && !has_excess_; }
   /// Whether facets that have been matched are the same indeed, with cells on both sides.
-  bool are_matches_right() { return is_packed_ ? !is_wrong_ : are_facets_the_same(); }
+  bool are_matches_right() {
+    return telling_ == Telling::by_sorting
+               ? are_facets_the_same()
+               : !is_wrong_ && (telling_ == Telling::by_keys || are_second_sums_right());
+  }
   /// The same, of facets that have been linked in any way. Cost O(k²) per cell.
   bool are_facets_the_same() {
     sorted_.resize(num_cells_ + 1);
@@ -172,99 +190,123 @@ class HoleCells {
     beside_.resize(count);  // last, so that it tells what there is room for
   }
 
-  // A facet has a record. Its upper bit is the orientation that the cell induces on the facet, if its
-  // vertices are in the order of their numbers; of the border, that of the survivor. It differs between the
-  // two sides. The other bits are the numbers of the vertices in this order, in fields of which one bit is
-  // spare. Where numbers are too large for that, there is a sum of random keys instead, and
-  // are_facets_the_same() tells afterwards whether facets were told apart.
+  // A facet has a record: the sum of the keys of its vertices, and in the lowest bit, which is clear in keys,
+  // the orientation that its cell induces on them in the order of their numbers; of the border, that of the
+  // survivor. It differs between the two sides.
+  //
+  // Where one word tells facets apart (FacetKeys), a key is that word times an odd factor, which is
+  // invertible modulo 2^63: so the upper bits of a sum depend on all digits, and are its hash. Where it takes
+  // two words, a key is a combination of both with odd factors. If in the end the sums of the second words
+  // are the same as well, so are those of the first. Beyond that, keys are random, and are_facets_the_same()
+  // tells whether they told facets apart.
 
-  static constexpr bool can_pack = K >= 1 && K <= 7;
-  static constexpr int field_bits = can_pack ? std::min(63 / K, 32) : 1;
-  static constexpr std::uint64_t orientation_bit = std::uint64_t{1} << 63;
-  static constexpr std::uint64_t all_fields = (std::uint64_t{1} << (K * field_bits)) - 1;
-  /// One in every field.
-  static constexpr std::uint64_t ones = [] {
-    std::uint64_t word = 0;
-    for (int i = 0; i < K; ++i) word |= std::uint64_t{1} << (i * field_bits);
-    return word;
-  }();
-  /// How many fields are at most x.
-  static unsigned num_up_to(std::uint64_t packed, Index x) {
-    constexpr std::uint64_t spare = ones << (field_bits - 1);
-    const std::uint64_t is_up_to = (((ones * x) | spare) - packed) & spare;
-    // The sum of all fields is in the last one of the product.
-    return static_cast<unsigned>((is_up_to >> (field_bits - 1)) * ones >> ((K - 1) * field_bits)) &
-           ((1u << 4) - 1);
-  }
-  static std::uint64_t before(unsigned field) { return (std::uint64_t{1} << (field * field_bits)) - 1; }
-  static std::uint64_t without_field(std::uint64_t packed, unsigned field) {
-    return (packed & before(field)) | (packed >> field_bits & ~before(field));
-  }
-  static std::uint64_t with_field(std::uint64_t packed, unsigned field, Index x) {
-    return (packed & before(field)) | std::uint64_t{x} << (field * field_bits) |
-           (packed & ~before(field)) << field_bits;
-  }
-  /// The record of a facet of the border, from the cell in the hole.
-  static std::uint64_t pack_facet(const Index* numbers, int slot) {
-    // Fields that are not there yet are larger than any number.
-    constexpr std::uint64_t none_yet = (ones << (field_bits - 1)) - ones;
-    std::uint64_t packed = none_yet;
-    unsigned inversions = static_cast<unsigned>(slot) + 1;  // seen from the other side
-    unsigned count = 0;
-    for (int i = 0; i <= K; ++i) {
-      if (i == slot) continue;
-      const unsigned place = num_up_to(packed, numbers[i]);
-      packed = with_field(packed, place, numbers[i]);
-      inversions += count++ - place;
-    }
-    return (packed & all_fields) | std::uint64_t{inversions % 2} << 63;
-  }
-  /// The records of the facets of a cell; see write_records().
-  static void pack_facets(const Index* vertices, int slot, std::uint64_t across, std::uint64_t* records) {
-    const std::uint64_t packed = across & ~orientation_bit;
-    const Index apex = vertices[slot];
-    const unsigned place = num_up_to(packed, apex), side = static_cast<unsigned>(across >> 63) + 1 + place;
-    for (int i = 0; i <= K; ++i) {
-      const unsigned rank = num_up_to(packed, vertices[i]) - (i != slot);  // on the facet
-      const bool is_after = rank >= place;
-      records[i] = with_field(without_field(packed, rank), place - !is_after, apex) |
-                   std::uint64_t{(side + rank + is_after) % 2} << 63;
-    }
-    records[slot] = across ^ orientation_bit;
-  }
+  enum class Telling : std::uint8_t { by_keys, by_two_keys, by_sorting };
 
-  /// Of a facet of the border, from the cell in the hole.
-  void write_record(std::uint32_t facet, const Index* numbers, int slot) {
-    if constexpr (can_pack)
-      if (is_packed_) {
-        records_[facet] = pack_facet(numbers, slot);
-        return;
+  static Telling telling_for(std::size_t last) {
+    if constexpr (K > 0) {
+      if (last < FacetKeys<K>::prime(1)) return Telling::by_keys;
+      if (last < FacetKeys<K>::prime(2)) return Telling::by_two_keys;
+    }
+    return Telling::by_sorting;
+  }
+  /// For numbers up to `last`.
+  void set_keys(std::size_t last) {
+    const Telling telling = telling_for(last);
+    if (telling != telling_) {
+      telling_ = telling;
+      keys_.clear();
+      second_keys_.clear();
+    }
+    if (keys_.size() > last) return;
+    keys_.reserve(last + 1);
+    if (telling == Telling::by_two_keys) second_keys_.reserve(last + 1);
+    while (keys_.size() <= last) add_key(keys_.size());
+  }
+  void add_key(std::uint64_t number) {
+    constexpr std::uint64_t factor = 0x9e3779b97f4a7c15u;
+    if constexpr (K > 0) {
+      if (telling_ == Telling::by_keys) return keys_.push_back(2 * factor * FacetKeys<K>::word(number, 1, 0));
+      if (telling_ == Telling::by_two_keys) {
+        second_keys_.push_back(FacetKeys<K>::word(number, 2, 1));
+        return keys_.push_back(2 * factor * FacetKeys<K>::word(number, 2, 0) +
+                               2 * (seed_ | 1) * second_keys_.back());
       }
-    records_[facet] = sum_of_keys(numbers, slot);
+    }
+    keys_.push_back(2 * random::mix(seed_ * (number + 1)));
   }
-  /// Of the facets of a cell; `across`: the record of the one opposite the slot, as seen from the other side.
-  void write_records(const Index* vertices, int slot, std::uint64_t across, std::uint64_t* records) const {
-    if constexpr (can_pack)
-      if (is_packed_) return pack_facets(vertices, slot, across, records);
-    const std::uint64_t sum = sum_of_keys(vertices, -1);
-    for (std::size_t i = 0; i < width(); ++i) records[i] = sum - keys_[vertices[i]];
+
+  /// The orientation that an even cell induces on the facet opposite a slot.
+  std::uint32_t orientation_of_facet(const Index* numbers, int slot) const {
+    if constexpr (K == 0) return 0;  // unused
+    auto inversions = static_cast<std::uint32_t>(slot);
+    for (int i = 1; i <= K; ++i)
+      for (int j = 0; j < i; ++j)
+        inversions += static_cast<std::uint32_t>(numbers[j] > numbers[i]) & (j != slot) & (i != slot);
+    return inversions & 1;
+  }
+  /// The same of all facets, a bit for each.
+  std::uint32_t orientations_of(const Index* numbers) const {
+    std::uint32_t all = 0;
+    for (int i = 0; i <= K; ++i) all |= orientation_of_facet(numbers, i) << i;
+    return all;
+  }
+  /// Of a cell, given those of its neighbor that has another vertex in one slot. An inversion comes or goes
+  /// with every vertex between the two in the order of numbers.
+  static std::uint32_t orientations_beyond(std::uint32_t of_neighbor, const Index* numbers, int slot,
+                                           Index other) {
+    if constexpr (K == 0) return 0;
+    const Index low = std::min(numbers[slot], other) + 1, distance = std::max(numbers[slot], other) - low;
+    std::uint32_t between = 0;
+    for (int i = 0; i <= K; ++i) between |= static_cast<std::uint32_t>(numbers[i] - low < distance) << i;
+    const std::uint32_t is_odd = static_cast<std::uint32_t>(std::popcount(between)) & 1;
+    return of_neighbor ^ between ^ is_odd << slot ^ (is_odd - 1);
+  }
+
+  void write_record_of_border(std::uint32_t f) {
+    const auto& facet = hole_->border()[f];
+    const Index* const numbers = hole_->numbers_of_cell(facet.inner);
+    records_[f] = sum_of_keys(keys_, numbers, facet.slot) | (orientation_of_facet(numbers, facet.slot) ^ 1);
+  }
+  /// Of the facets of a cell.
+  void write_records(const Index* vertices, std::uint32_t orientations, std::uint64_t* records) const {
+    const std::uint64_t sum = sum_of_keys(keys_, vertices, -1);
+    for (std::size_t i = 0; i < width(); ++i)
+      records[i] = (sum - keys_[vertices[i]]) | (K > 0 ? orientations >> i & 1 : 0);
   }
   /// Of all vertices but the one in a slot; −1: of all.
-  std::uint64_t sum_of_keys(const Index* vertices, int slot) const {
+  std::uint64_t sum_of_keys(const std::vector<std::uint64_t>& keys, const Index* vertices, int slot) const {
     std::uint64_t sum = 0;
     for (std::size_t i = 0; i < width(); ++i)
-      if (static_cast<int>(i) != slot) sum += keys_[vertices[i]];
+      if (static_cast<int>(i) != slot) sum += keys[vertices[i]];
     return sum;
   }
-
-  // An entry of the table has the number of a facet, plus 1, and above it bits of the hash of its record.
-
-  std::uint64_t hash(std::uint32_t facet) const {
-    return (records_[facet] & ~orientation_bit) * 0x9e3779b97f4a7c15u;
+  bool are_second_sums_right() {
+    second_sums_.resize(num_facets());
+    for (std::size_t cell = 0; cell < num_cells_; ++cell) {
+      const Index* const numbers = vertices(cell);
+      const std::uint64_t sum = sum_of_keys(second_keys_, numbers, -1);
+      for (std::size_t i = 0; i < width(); ++i)
+        second_sums_[cell * width() + i] = sum - second_keys_[numbers[i]];
+    }
+    for (std::uint32_t here = 0; here < num_facets(); ++here) {
+      const std::uint32_t other = beside_[first_facet_ + here];
+      if (other == none) continue;
+      std::uint64_t sum = 0;
+      if (is_of_border(other)) {
+        const auto& facet = hole_->border()[other];
+        sum = sum_of_keys(second_keys_, hole_->numbers_of_cell(facet.inner), facet.slot);
+      } else {
+        sum = second_sums_[other - first_facet_];
+      }
+      if (second_sums_[here] != sum) return false;
+    }
+    return true;
   }
-  /// The upper bits of a product depend on all others.
-  std::size_t place(std::uint64_t hash) const { return static_cast<std::size_t>(hash >> shift_); }
-  static std::uint64_t tag(std::uint64_t hash) { return hash >> 20 << 32; }
+
+  // An entry of the table has the number of a facet, plus 1, and above it bits of its record.
+
+  std::size_t place(std::uint64_t record) const { return static_cast<std::size_t>(record >> shift_); }
+  static std::uint64_t tag(std::uint64_t record) { return record >> 20 << 32; }
 
   void set_table_size(std::size_t size) {
     mask_ = size - 1;
@@ -282,7 +324,7 @@ class HoleCells {
     set_table_size(size);
     for (const std::uint64_t entry : std::span(table_).first(old_size)) {
       if (entry == 0) continue;
-      std::size_t at = place(hash(static_cast<std::uint32_t>(entry) - 1));
+      std::size_t at = place(records_[static_cast<std::uint32_t>(entry) - 1]);
       while (larger[at] != 0) at = (at + 1) & mask_;
       larger[at] = entry;
     }
@@ -290,13 +332,13 @@ class HoleCells {
   }
   /// Returns the facet that is the same and has no other one yet; if there is none, keeps this one.
   std::uint32_t match(std::uint32_t facet) {
-    const std::uint64_t hash = this->hash(facet);
-    std::size_t at = place(hash);
+    const std::uint64_t record = records_[facet];
+    std::size_t at = place(record);
     for (; table_[at] != 0; at = (at + 1) & mask_) {
-      if ((table_[at] ^ tag(hash)) >> 32 != 0) continue;
+      if ((table_[at] ^ tag(record)) >> 32 != 0) continue;
       const std::uint32_t other = static_cast<std::uint32_t>(table_[at]) - 1;
-      const std::uint64_t difference = records_[facet] ^ records_[other];
-      if ((difference & ~orientation_bit) != 0) continue;
+      const std::uint64_t difference = record ^ records_[other];
+      if (difference > 1) continue;
       if (beside_[other] != none) {
         has_excess_ = true;
         return none;
@@ -305,7 +347,7 @@ class HoleCells {
       --num_open_;
       return other;
     }
-    table_[at] = tag(hash) | (facet + 1);
+    table_[at] = tag(record) | (facet + 1);
     ++num_entries_;
     ++num_open_;
     return none;
@@ -354,15 +396,16 @@ class HoleCells {
   std::size_t num_cells_ = 0, num_entries_ = 0, num_open_ = 0, mask_ = 0;
   std::uint32_t first_facet_ = 0;
   bool has_excess_ = false;  // more than two cells have a facet
-  bool is_packed_ = false;   // records have numbers of vertices
-  int shift_ = 0;            // from a hash to a place in the table
-  bool is_wrong_ = false;    // if so, two cells are on one side of their common facet
-  std::uint64_t seed_ = 0x9e3779b97f4a7c15u;
-  std::vector<std::uint64_t> keys_;     // of vertices
-  std::vector<std::uint64_t> records_;  // of facets
-  std::vector<std::uint64_t> table_;    // the first mask_ + 1 entries
-  std::vector<Index> vertices_;         // k + 1 for each cell
+  Telling telling_ = Telling::by_sorting;
+  int shift_ = 0;          // from a record to a place in the table
+  bool is_wrong_ = false;  // if so, two cells are on one side of their common facet
+  std::uint64_t seed_ = 0xd1b54a32d192ed03u;
+  std::vector<std::uint64_t> keys_, second_keys_;     // of vertices
+  std::vector<std::uint64_t> records_, second_sums_;  // of facets
+  std::vector<std::uint64_t> table_;                  // the first mask_ + 1 entries
+  std::vector<Index> vertices_;                       // k + 1 for each cell
   std::vector<std::uint32_t> beside_;
+  std::vector<std::uint32_t> orientations_;  // that a cell induces on its facets, a bit for each
   std::vector<std::uint8_t> is_odd_;
   std::vector<std::uint8_t> is_met_;
   std::vector<Sorted> sorted_;

@@ -224,7 +224,7 @@ class HoleFiller {
     if (!is_exact_) {
       const std::span<const std::uint32_t> found = search_.found(i);
       if (found.empty()) return 0;
-      if (found.size() == 1) return found.front();
+      if (found.size() == 1 && search_.is_certain(i)) return found.front();
       for (const std::uint32_t candidate : found) contenders_.push_back(hole_.id(candidate));
     } else {
       for (Index candidate = 1; candidate <= hole_.vertices().size(); ++candidate) {
@@ -240,49 +240,46 @@ class HoleFiller {
     return first == invalid_index ? first : hole_.number(first);
   }
 
-  /// Writes the cells to vacant slots, computes their functionals and proves them, unless they are known to
-  /// be right. Nothing is returned, and nothing has changed, if the proof fails.
+  /// Drafts the cells, computes their functionals and proves them, unless they are known to be right. Then
+  /// they get the slots of the cells of the hole, if a vertex leaves, and vacant ones. Nothing is returned,
+  /// and nothing has changed, if the proof fails.
   std::optional<Filling> create(ConflictZone& zone, bool is_known, StageCounts& counts) {
-    cells_.reserve(found_.size());
-    cells_.reserve_vacancies(std::max(found_.size(), zone.num_cells));
-    created_.resize(found_.size());
+    const std::size_t count = found_.size();
+    // Who repairs cells after moves tells dead and new ones apart by their slots.
+    const std::size_t reused = hole_.leaving() != invalid_index ? std::min(count, zone.num_cells) : 0;
+    cells_.reserve(count - reused);
+    cells_.reserve_vacancies(zone.num_cells - reused);
+    created_.resize(count);
     prepare();
-    for (Index& cell : created_) cell = cells_.allocate();
-    bool is_right = false;
-    Index num_infinite = 0;
-    const auto discard = [&] {
-      for (const Index cell : created_) cells_.release(cell);
-      created_.clear();
-    };
-    try {
-      for (std::size_t c = 0; c < found_.size(); ++c)
-        num_infinite += write_cell(c) ? 1 : 0;  // those are infinite
-      const bool reaches_hull = hole_.num_finite() < hole_.num_cells();
-      is_right = (num_infinite == 0 || reaches_hull) && found_.are_matches_right() && create_functionals() &&
-                 (is_known || (found_.have_all_vertices(hole_) && is_delaunay(num_infinite > 0, counts)));
-    } catch (...) {
-      discard();
-      throw;
-    }
-    if (!is_right) {
-      discard();
-      return std::nullopt;
-    }
+    first_draft_ = cells_.reserve_drafts(count, count - reused);
+    const Index num_infinite = draft_cells();
+    const bool reaches_hull = hole_.num_finite() < hole_.num_cells();
+    const bool is_right =
+        (num_infinite == 0 || reaches_hull) && found_.are_matches_right() && create_functionals() &&
+        (is_known || (found_.have_all_vertices(hole_) && is_delaunay(num_infinite > 0, counts)));
+    if (!is_right) return std::nullopt;
+    std::copy_n(zone.cells.data(), reused, created_.begin());
+    for (std::size_t c = reused; c < count; ++c) created_[c] = cells_.allocate();
+    for (std::size_t i = reused; i < zone.num_cells; ++i) cells_.release(zone.cells[i]);
+    const auto final_id = [&](Index id) { return id < first_draft_ ? id : created_[id - first_draft_]; };
+    for (std::size_t c = 0; c < count; ++c) cells_.adopt_draft(draft(c), created_[c], final_id);
     const std::span<const BorderFacet> border = hole_.border();
     for (std::uint32_t f = 0; f < border.size(); ++f) {
       if (f + 8 < border.size()) cells_.prefetch_links(border[f + 8].survivor);
-      cells_.neighbors(border[f].survivor)[border[f].mirror] = created_[found_.cell_of(found_.beside(f))];
+      cells_.neighbors(border[f].survivor)[border[f].mirror] = final_id(cells_at_[found_.beside(f)]);
     }
-    for (std::size_t i = 0; i < zone.num_cells; ++i) cells_.release(zone.cells[i]);
     zone.num_infinite = hole_.num_cells() - hole_.num_finite();
-    return Filling{found_.size(), num_infinite, created_.front()};
+    return Filling{count, num_infinite, created_.front()};
   }
+
+  /// The slot of a draft.
+  Index draft(std::size_t cell) const { return first_draft_ + static_cast<Index>(cell); }
 
   void prepare() {
     rows_.resize((hole_.vertices().size() + 1) * width());
     double* row = rows_.data();
     for (const Index v : hole_.vertices()) geometry_.write_row_of(v, row += width());
-    written_.resize(found_.size() * width());
+    cells_at_.resize(found_.facet(found_.num_facets()));
     finite_.clear();
     finite_.reserve(found_.size());
     simplices_.clear();
@@ -290,27 +287,33 @@ class HoleFiller {
     orientations_.resize(found_.size());
   }
 
-  bool write_cell(std::size_t c) {
-    const Index cell = created_[c];
-    const Index* const numbers = found_.vertices(c);
-    Index* const written = written_.data() + c * width();
-    Index* const neighbors = cells_.neighbors(cell);
-    const std::size_t is_odd = found_.is_odd(c);
-    bool is_infinite = false;
-    for (std::size_t i = 0; i < width(); ++i) {
-      const std::uint32_t other = found_.beside(found_.facet(c * width() + i));
-      const std::size_t to = i < 2 ? i ^ is_odd : i;  // the first two are exchanged if it is odd
-      is_infinite |= numbers[i] == 0;
-      written[to] = numbers[i];
-      neighbors[to] =
-          found_.is_of_border(other) ? hole_.border()[other].survivor : created_[found_.cell_of(other)];
-      cells_.set_vertex(cell, static_cast<int>(to), hole_.id(numbers[i]));
-    }
-    if (!is_infinite) {
+  /// Writes the vertices and neighbors of all drafts. Returns how many are infinite.
+  Index draft_cells() {
+    const std::span<const BorderFacet> border = hole_.border();
+    Index* const cells_at = cells_at_.data();
+    for (std::size_t f = 0; f < border.size(); ++f) cells_at[f] = border[f].survivor;
+    for (std::size_t c = 0; c < found_.size(); ++c)
+      std::fill_n(cells_at + found_.facet(c * width()), width(), draft(c));
+    const Index* const ids = hole_.ids();
+    const auto layout = cells_.layout();
+    for (std::size_t c = 0; c < found_.size(); ++c) {
+      const Index cell = draft(c);
+      const Index* const numbers = found_.vertices(c);
+      const std::uint32_t* const beside = found_.beside_of_cell(c);
+      Index *const vertices = cells_.wide_vertices(cell), *const neighbors = cells_.neighbors(cell);
+      const std::size_t is_odd = found_.is_odd(c);
+      bool is_infinite = false;
+      for (std::size_t i = 0; i < width(); ++i) {
+        const std::size_t to = i < 2 ? i ^ is_odd : i;  // the first two are exchanged if it is odd
+        is_infinite |= numbers[i] == 0;
+        layout.set_vertex(vertices, static_cast<int>(to), ids[numbers[i]]);
+        neighbors[to] = cells_at[beside[i]];
+      }
+      if (is_infinite) continue;
       finite_.push_back(cell);
-      simplices_.push_back(written);
+      simplices_.push_back(numbers);
     }
-    return is_infinite;
+    return static_cast<Index>(found_.size() - finite_.size());
   }
 
   /// Returns whether all finite cells are positively oriented.
@@ -320,10 +323,12 @@ class HoleFiller {
       if (finite_.size() > 1)
         geometry_.create_from_rows(finite_, simplices_, rows_.data(), orientations_.data());
     std::size_t next = 0;
-    for (const Index cell : created_) {
+    for (std::size_t c = 0; c < found_.size(); ++c) {
+      const Index cell = draft(c);
       const bool is_finite = next < finite_.size() && finite_[next] == cell;
       if (is_finite && orientations_[next] != Sign::zero) {
-        if (orientations_[next++] == Sign::negative) return false;
+        // Of the vertices before the first two are exchanged.
+        if ((orientations_[next++] == Sign::negative) != found_.is_odd(c)) return false;
         continue;
       }
       next += is_finite ? 1 : 0;
@@ -345,15 +350,20 @@ class HoleFiller {
   /// have moved, the old cells may have been anywhere, and who calls proves that (Settling).
   bool is_delaunay(bool has_infinite, StageCounts& counts) {
     const bool is_star = hole_.leaving() != invalid_index;
-    for (std::size_t here = 0; here < found_.num_facets(); ++here) {
-      const std::uint32_t facet_here = found_.facet(here), other = found_.beside(facet_here);
-      const Index apex = found_.vertex_opposite(here);
-      if (found_.is_of_border(other)) {
+    for (std::size_t c = 0; c < found_.size(); ++c) {
+      const std::uint32_t first = found_.facet(c * width());
+      const std::uint32_t* const beside = found_.beside_of_cell(c);
+      for (std::size_t i = 0; i < width(); ++i) {
+        const std::uint32_t other = beside[i];
+        if (other >= first) continue;  // tested from there
+        if (!found_.is_of_border(other)) {
+          if (!is_locally_delaunay(draft(c), found_.vertex_opposite(other), counts)) return false;
+          continue;
+        }
         const BorderFacet& facet = hole_.border()[other];
+        const Index apex = found_.vertices(c)[i];
         if (is_star ? hole_.id(apex) == facet.outside : !is_locally_delaunay(facet.survivor, apex, counts))
           return false;
-      } else if (other < facet_here) {
-        if (!is_locally_delaunay(created_[found_.cell_of(other)], apex, counts)) return false;
       }
     }
     return !has_infinite || !is_star || is_outside_of_all(counts);
@@ -364,16 +374,17 @@ class HoleFiller {
   bool is_locally_delaunay(Index cell, Index apex, StageCounts& counts) {
     if (apex == 0)
       return true;  // then the facet is one of the hull, and the finite cell is on its inner side
-    const auto functional = geometry_.evaluator_of_row(rows_.data() + apex * width());
-    const double value = functional.value(cell);
-    if (std::fabs(value) > functional.threshold(cell)) [[likely]] {
+    const double value = geometry_.value_at_row(cell, rows_.data() + apex * width());
+    if (std::fabs(value) > geometry_.threshold(cell)) [[likely]] {
       ++counts.filter;
       return value > 0;
     }
     return is_outside_exactly(cells_, geometry_, cell, hole_.id(apex), counts);
   }
 
-  /// Whether a vertex is found that is strictly outside of all new cells.
+  /// Whether a vertex is found that is outside of all new cells. An infinite cell is what the vertex sees
+  /// behind the hull facet from the inner side, and is empty if the vertex is in its plane. There, one that
+  /// is outside of the simplex on the other side is outside of the facet.
   bool is_outside_of_all(StageCounts& counts) {
     int tries = 8;
     for (const BorderFacet& facet : hole_.border()) {
@@ -381,20 +392,32 @@ class HoleFiller {
       if (v == index(infinite_vertex) || hole_.has_vertex(v)) continue;
       const Query q = geometry_.query_at(v);
       const auto functional = geometry_.evaluator(q);
-      const bool is_outside = std::all_of(created_.begin(), created_.end(), [&](Index cell) {
-        const bool is_infinite = geometry_.is_infinite(cell);
-        const bool decides = is_infinite || geometry_.is_outside_where_positive();
-        if (decides && functional.value(cell) > functional.threshold(cell)) return true;
-        const auto vertices = cells_.vertices(cell);
-        if (decides)
-          return geometry_.exact_side(vertices, cells_.infinite_slot(cell), q, counts) == Sign::positive;
-        int slot = 0;
-        while (slot <= dimension() && geometry_.side_of_facet(vertices, slot, q) != Sign::negative) ++slot;
-        return slot <= dimension();
-      });
-      if (is_outside || --tries == 0) return is_outside;
+      std::size_t c = 0;
+      while (c < found_.size() && is_outside(draft(c), q, functional, counts)) ++c;
+      if (c == found_.size()) return true;
+      if (--tries == 0) return false;
     }
     return false;
+  }
+  template <class Evaluator>
+  bool is_outside(Index cell, const Query& q, const Evaluator& functional, StageCounts& counts) const {
+    const bool is_infinite = geometry_.is_infinite(cell);
+    if ((is_infinite || geometry_.is_outside_where_positive()) &&
+        functional.value(cell) > functional.threshold(cell))
+      return true;
+    if (!is_infinite) return is_outside_of_simplex(cell, q);
+    const int slot = cells_.infinite_slot(cell);
+    const auto vertices = cells_.vertices(cell);
+    const Sign side = geometry_.exact_side(vertices, slot, q, counts);
+    if (side != Sign::zero) return side == Sign::positive;
+    const Index inner = cells_.neighbors(cell)[slot];
+    return !geometry_.is_infinite(inner) && is_outside_of_simplex(inner, q);
+  }
+  bool is_outside_of_simplex(Index cell, const Query& q) const {
+    const auto vertices = cells_.vertices(cell);
+    int slot = 0;
+    while (slot <= dimension() && geometry_.side_of_facet(vertices, slot, q) != Sign::negative) ++slot;
+    return slot <= dimension();
   }
 
   CellStore<K>& cells_;
@@ -411,8 +434,10 @@ class HoleFiller {
   std::vector<int> slots_;
   std::vector<Index> source_, simplex_, contenders_;
   // The cells that have been created.
-  std::vector<Index> created_, written_;
-  std::vector<double> rows_;  // of vertices, by number
+  std::vector<Index> created_;
+  Index first_draft_ = 0;
+  std::vector<Index> cells_at_;  // by facet: the cell beyond one of the border, or that which has it
+  std::vector<double> rows_;     // of vertices, by number
   std::vector<Index> finite_;
   std::vector<const Index*> simplices_;  // the numbers of their vertices
   std::vector<Sign> orientations_;

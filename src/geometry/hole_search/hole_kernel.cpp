@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "geometry/hole_search/hole_kernel.hpp"
 
+#include "base/compiled_dimension.hpp"
 #include "kernel/buffer.hpp"
 
 #include <algorithm>
@@ -58,6 +59,8 @@ void replace(int k_given, const double* HWY_RESTRICT functions, int slot, const 
 /// memory would have it loaded again.
 template <int K, class D>
 class CellFunction {
+  using T = hn::TFromD<D>;
+
  public:
   CellFunction(D d, int k, const double* coefficients, std::size_t step, double factor)
       : d_(d), k_(k), coefficients_(coefficients), step_(step), factor_(factor) {
@@ -65,7 +68,7 @@ class CellFunction {
       for (std::size_t r = 0; r <= K; ++r) held_[r] = read(r);
   }
   /// At images whose coordinates are `stride` entries apart.
-  HWY_INLINE hn::Vec<D> at(const double* images, std::size_t stride) const {
+  HWY_INLINE hn::Vec<D> at(const T* images, std::size_t stride) const {
     const auto k = static_cast<std::size_t>(K > 0 ? K : k_);
     auto value = coefficient(k);
     for (std::size_t r = 0; r < k; ++r)
@@ -75,7 +78,7 @@ class CellFunction {
 
  private:
   HWY_INLINE hn::Vec<D> read(std::size_t r) const {
-    return hn::Mul(hn::Set(d_, factor_), hn::Set(d_, coefficients_[r * step_]));
+    return hn::Set(d_, static_cast<T>(factor_ * coefficients_[r * step_]));
   }
   HWY_INLINE hn::Vec<D> coefficient(std::size_t r) const {
     if constexpr (K > 0)
@@ -92,45 +95,62 @@ class CellFunction {
   hn::Vec<D> held_[K > 0 ? K + 1 : 1];
 };
 
-/// Bounds on the errors of all functions at candidates, in the order of the functions. Images and lifts are
-/// off by a few roundings, and so are functions relative to the magnitudes of their coefficients, which a
-/// handful of steps of elimination has magnified.
+/// The sums of the magnitudes of the coefficients of all functions, in the order of the functions.
 template <int K>
-void bound_functions(int k, const double* HWY_RESTRICT functions, double* HWY_RESTRICT errors) {
+void add_magnitudes(int k, const double* HWY_RESTRICT functions, double* HWY_RESTRICT sums) {
   const hn::CappedTag<double, (K > 0 && K <= 2) ? 4 : 8> d;
   const std::size_t width = width_of_functions(k), lanes = hn::Lanes(d);
   for (std::size_t f = 0; f < width; f += lanes) {
     auto sum = hn::Zero(d);
     for (std::size_t r = 0; r <= static_cast<std::size_t>(k); ++r)
       sum = hn::Add(sum, hn::Abs(hn::LoadU(d, functions + r * width + f)));
-    hn::StoreU(hn::Mul(sum, hn::Set(d, 0x1p-42)), d, errors + f);
+    hn::StoreU(sum, d, sums + f);
   }
 }
 
-template <int K>
-void find(const PencilTask& task, std::uint64_t* found) {
-  const hn::CappedTag<double, 8> d;
+/// A bound on the error of a function at candidates, relative to the sum of the magnitudes of its
+/// coefficients, and of a lift. Images and lifts are off by a few roundings in binary64, and so are
+/// functions, which a handful of steps of elimination has magnified: that is 2^-42. In binary32 there are
+/// more, of u = 2^-24 each: of the image, of the coefficient, of k products and k + 1 sums, 2k + 3 in all, as
+/// magnitudes are at most 1. The comparisons of ratios add five, relative to a height, which the sum bounds
+/// as well.
+template <class T>
+double relative_error([[maybe_unused]] int k) {
+  if constexpr (sizeof(T) == sizeof(float)) return 0x1p-42 + (2 * k + 16) * 0x1p-24;
+  return 0x1p-42;
+}
+
+template <int K, class T>
+void find(const PencilTask<T>& task, std::uint64_t* found) {
+  const hn::CappedTag<T, 64 / sizeof(T)> d;
   using V = hn::Vec<decltype(d)>;
   const int k = K > 0 ? K : task.k;
   const std::size_t width = width_of_functions(k), lanes = hn::Lanes(d), stride = task.stride;
   const auto last = static_cast<std::size_t>(k);
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  kernel::Buffer<double, K == 0 ? 0 : static_cast<int>(width_of_functions(K))> errors(width);
-  bound_functions<K>(k, task.functions, errors.data());
+  constexpr T infinity = std::numeric_limits<T>::infinity();
+  kernel::Buffer<double, K == 0 ? 0 : static_cast<int>(width_of_functions(K))> sums(width);
+  add_magnitudes<K>(k, task.functions, sums.data());
+  const double relative = relative_error<T>(k), sum_of_height = sums.data()[last + 1] + task.largest_lift;
+  [[maybe_unused]] constexpr double largest = 0x1p60;  // no product of two is beyond the range of float
   const CellFunction<K, decltype(d)> height_of(d, k, task.functions + last + 1, width, 1);
   for (std::size_t i = 0; i < stride; i += lanes)
     hn::StoreU(hn::Add(height_of.at(task.rows + i, stride), hn::LoadU(d, task.rows + last * stride + i)), d,
                task.heights + i);
   for (std::size_t i = 0; i < task.num_own; ++i) task.heights[task.own[i]] = infinity;
 
-  const V height_error = hn::Set(d, errors.data()[last + 1] + 0x1p-42 * task.largest_lift),
-          zero = hn::Zero(d);
+  const V height_error = hn::Set(d, static_cast<T>(relative * sum_of_height)), zero = hn::Zero(d);
   for (std::size_t s = 0; s < task.num_slots; ++s) {
     const auto slot = static_cast<std::size_t>(task.slots[s]);
+    if constexpr (sizeof(T) == sizeof(float))
+      if (!(sum_of_height < largest && sums.data()[slot] < largest)) [[unlikely]] {
+        found = std::fill_n(found, words_of_candidates(stride), ~std::uint64_t{0});
+        task.is_certain[s] = false;
+        continue;
+      }
     const CellFunction<K, decltype(d)> distance_of(d, k, task.functions + slot, width, task.side);
     // The least of the largest possible ratios, in each lane, without division. The vertices of the facet are
     // too near to count.
-    const V distance_error = hn::Set(d, errors.data()[slot]),
+    const V distance_error = hn::Set(d, static_cast<T>(relative * sums.data()[slot])),
             least_distance = hn::Add(distance_error, distance_error);
     const auto look_at = [&](std::size_t i, V& best_height, V& best_distance) HWY_ATTR {
       const V distance = distance_of.at(task.rows + i, stride);
@@ -144,14 +164,9 @@ void find(const PencilTask& task, std::uint64_t* found) {
       best_height = hn::IfThenElse(better, highest, best_height);
       best_distance = hn::IfThenElse(better, divisor, best_distance);
     };
-    V best_height = hn::Set(d, infinity), best_distance = hn::Set(d, 1.0);
-    V other_height = best_height, other_distance = best_distance;  // so that steps wait less for each other
-    for (std::size_t i = 0; i < stride; i += 2 * lanes) {
-      look_at(i, best_height, best_distance);
-      look_at(i + lanes, other_height, other_distance);
-    }
-    const V least = hn::MinOfLanes(
-        d, hn::Min(hn::Div(best_height, best_distance), hn::Div(other_height, other_distance)));
+    V best_height = hn::Set(d, infinity), best_distance = hn::Set(d, T{1});
+    for (std::size_t i = 0; i < stride; i += lanes) look_at(i, best_height, best_distance);
+    const V least = hn::MinOfLanes(d, hn::Div(best_height, best_distance));
     const V none = hn::Set(d, infinity), too_near = hn::Neg(distance_error);
     std::uint64_t word = 0;
     for (std::size_t i = 0; i < stride; i += lanes) {
@@ -165,50 +180,25 @@ void find(const PencilTask& task, std::uint64_t* found) {
                                         hn::Or(is_uncertain, hn::Le(lowest, hn::Mul(least, divisor))));
       std::uint8_t bits[8] = {};
       hn::StoreMaskBits(d, may_be_first, bits);
-      word |= std::uint64_t{bits[0]} << (i % 64);
+      word |= (bits[0] | std::uint64_t{bits[1]} << 8) << (i % 64);
       if ((i + lanes) % 64 == 0) *found++ = std::exchange(word, 0);
     }
     if (stride % 64 != 0) *found++ = word;
+    task.is_certain[s] = hn::GetLane(least) < infinity;
   }
 }
 
 void replace_here(int k, const double* functions, int slot, const double* row, double* replaced) {
-  switch (k) {
-    case 1:
-      return replace<1>(k, functions, slot, row, replaced);
-    case 2:
-      return replace<2>(k, functions, slot, row, replaced);
-    case 3:
-      return replace<3>(k, functions, slot, row, replaced);
-    case 4:
-      return replace<4>(k, functions, slot, row, replaced);
-    case 5:
-      return replace<5>(k, functions, slot, row, replaced);
-    case 6:
-      return replace<6>(k, functions, slot, row, replaced);
-    default:
-      return replace<0>(k, functions, slot, row, replaced);
-  }
+  internal::with_compiled_dimension<1, 6>(
+      static_cast<std::size_t>(k), [&](auto known) { replace<known()>(k, functions, slot, row, replaced); });
 }
-
-void find_here(const PencilTask& task, std::uint64_t* found) {
-  switch (task.k) {
-    case 1:
-      return find<1>(task, found);
-    case 2:
-      return find<2>(task, found);
-    case 3:
-      return find<3>(task, found);
-    case 4:
-      return find<4>(task, found);
-    case 5:
-      return find<5>(task, found);
-    case 6:
-      return find<6>(task, found);
-    default:
-      return find<0>(task, found);
-  }
+template <class T>
+void find_in(const PencilTask<T>& task, std::uint64_t* found) {
+  internal::with_compiled_dimension<1, 6>(static_cast<std::size_t>(task.k),
+                                          [&](auto known) { find<known(), T>(task, found); });
 }
+void find_in_float_here(const PencilTask<float>& task, std::uint64_t* found) { find_in(task, found); }
+void find_in_double_here(const PencilTask<double>& task, std::uint64_t* found) { find_in(task, found); }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace delone::geometry
@@ -218,13 +208,17 @@ HWY_AFTER_NAMESPACE();
 namespace delone::geometry {
 
 HWY_EXPORT(replace_here);
-HWY_EXPORT(find_here);
+HWY_EXPORT(find_in_float_here);
+HWY_EXPORT(find_in_double_here);
 
 void replace_vertex(int k, const double* functions, int slot, const double* row, double* replaced) {
   HWY_DYNAMIC_DISPATCH(replace_here)(k, functions, slot, row, replaced);
 }
-void find_first(const PencilTask& task, std::uint64_t* found) {
-  HWY_DYNAMIC_DISPATCH(find_here)(task, found);
+void find_first(const PencilTask<float>& task, std::uint64_t* found) {
+  HWY_DYNAMIC_DISPATCH(find_in_float_here)(task, found);
+}
+void find_first(const PencilTask<double>& task, std::uint64_t* found) {
+  HWY_DYNAMIC_DISPATCH(find_in_double_here)(task, found);
 }
 
 }  // namespace delone::geometry

@@ -24,7 +24,9 @@ constexpr std::size_t size_of_functions(int k) {
 /// finite where the vertex is on the facet opposite the slot. Cost O(k²).
 void replace_vertex(int k, const double* functions, int slot, const double* row, double* replaced);
 
-/// A search of the vertices that come first in the pencils of facets of one cell.
+/// A search of the vertices that come first in the pencils of facets of one cell. T: float or double, in
+/// which values are computed.
+template <class T>
 struct PencilTask {
   int k;
   const double* functions;
@@ -33,13 +35,14 @@ struct PencilTask {
   double side;  ///< −1: beyond the facets; 1: on the side of the cell
   /// Coordinate r of candidate i is entry r·stride + i, and the lifts come last, infinite for what must not
   /// be found. The stride is a multiple of 16.
-  const double* rows;
+  const T* rows;
   std::size_t stride;
   double largest_lift;       ///< of their magnitudes
-  double* heights;           ///< scratch memory, stride doubles
-  double* distances;         ///< the same
+  T* heights;                ///< scratch memory, stride numbers
+  T* distances;              ///< the same
   const std::uint32_t* own;  ///< the candidates that are vertices of the cell: these are not found
   std::size_t num_own;
+  bool* is_certain;  ///< for each facet, receives whether some candidate is certainly on the side
 };
 
 /// How many words have a bit for each candidate.
@@ -47,7 +50,9 @@ constexpr std::size_t words_of_candidates(std::size_t stride) { return (stride +
 
 /// For one facet after the other, sets the bits of all candidates that may be first, and clears the others:
 /// those may be whose least possible ratio of height and distance from the facet is at most the least
-/// possible one of all that are certainly on the side. Cost O(k) per candidate and facet.
-void find_first(const PencilTask& task, std::uint64_t* found);
+/// possible one of all that are certainly on the side. Cost O(k) per candidate and facet. In float, more
+/// candidates may be first, and all of them where numbers are too large.
+void find_first(const PencilTask<float>& task, std::uint64_t* found);
+void find_first(const PencilTask<double>& task, std::uint64_t* found);
 
 }  // namespace delone::geometry

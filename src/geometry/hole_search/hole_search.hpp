@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -47,19 +48,45 @@ class HoleSearch {
   /// stay.
   void search(const double* functions, std::span<const int> slots, bool beyond, bool may_stay,
               const Index* vertices);
-  /// Those of facet `slots[i]` of the last search; none if no candidate is there.
+  /// Those of facet `slots[i]` of the last search; none if no candidate is there. A single one may not be
+  /// there either, unless that is certain.
   std::span<const std::uint32_t> found(std::size_t i) const {
-    return {found_.data() + ends_[i], ends_[i + 1] - ends_[i]};
+    return {found_.data() + parts_[i].first, parts_[i].count};
   }
+  bool is_certain(std::size_t i) const { return parts_[i].is_certain; }
 
  private:
+  struct Part {
+    std::size_t first, count;
+    bool is_certain;
+  };
+  /// The rows of the candidates, and scratch memory.
+  template <class T>
+  struct Lanes {
+    std::vector<T> rows, values;
+  };
+  template <class T>
+  void arrange(Lanes<T>& lanes);
+  template <class T>
+  void find(Lanes<T>& lanes, const double* functions, std::span<const int> slots, bool beyond,
+            std::size_t num_own);
+  /// Lists what find_first() has found of its facet i, from place `first` on, for a facet of the search.
+  /// Returns the end of the list.
+  std::size_t list(std::size_t i, std::size_t facet, std::size_t first);
+
   int k_ = 0;
   std::size_t num_candidates_ = 0, stride_ = 0;
   double largest_lift_ = 0;
-  std::vector<double> rows_, lanes_, values_, matrix_;
+  std::vector<double> rows_, matrix_;
+  Lanes<float> floats_;
+  Lanes<double> doubles_;
+  bool are_doubles_there_ = false;  // whether the rows in double have been arranged
   std::vector<std::uint64_t> bits_;
-  std::vector<std::uint32_t> own_, found_;  // found_: of one facet after the other
-  std::vector<std::size_t> ends_;           // before the first of them, and after each
+  std::unique_ptr<bool[]> are_certain_;  // by facet, and `bits_`, of find_first()
+  std::vector<std::size_t> unclear_;     // facets of a search where several candidates may be first
+  std::vector<int> unclear_slots_;
+  std::vector<std::uint32_t> own_, found_;
+  std::vector<Part> parts_;  // of found_, by facet
 };
 
 }  // namespace delone::geometry

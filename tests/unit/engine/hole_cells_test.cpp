@@ -115,8 +115,8 @@ void expect_right_judgements() {
       std::uint32_t across = 0;
       found.reserve(1);
       std::array<int, K + 1> open;
-      const std::size_t from = step == 0 ? 0 : below(found.size());
-      const std::size_t num_open = step == 0 ? 0 : found.find_open(from, open.data());
+      const std::size_t from = found.size() == 0 ? 0 : below(found.size());
+      const std::size_t num_open = found.size() == 0 ? 0 : found.find_open(from, open.data());
       if (num_open > 0) {
         source = found.vertices(from);
         slot = open[below(num_open)];

@@ -138,5 +138,87 @@ TEST(HoleSearch, FindsTheFirstVertexBeyondAFacet) {
       }
 }
 
+/// The unit simplex, scaled, and what it takes to search beyond its facet opposite the origin, vertex 1.
+struct BeyondASimplex {
+  BeyondASimplex(int k, std::size_t num_others)
+      : functions(size_of_functions(k)), cell(static_cast<std::size_t>(k) + 1) {
+    const std::size_t n = cell.size() + num_others;
+    search.begin(k, n, n + 1);
+    std::iota(cell.begin(), cell.end(), Index{1});
+    for (std::size_t v = 1; v <= cell.size(); ++v)
+      place(v, [&](int r) { return v == static_cast<std::size_t>(r) + 2 ? 0.25 : 0; });
+    search.solve(cell.data(), functions.data());
+  }
+  template <class Coordinate>
+  void place(std::size_t v, Coordinate&& coordinate, double height = 0) {
+    double lift = height;
+    for (int r = 0; r < search.dimension(); ++r) {
+      search.row(v)[r] = coordinate(r);
+      lift += search.row(v)[r] * search.row(v)[r];
+    }
+    search.row(v)[search.dimension()] = lift;
+  }
+  std::vector<std::uint32_t> find() {
+    search.arrange();
+    search.search(functions.data(), slots, true, false, cell.data());
+    const auto found = search.found(0);
+    return {found.begin(), found.end()};
+  }
+
+  HoleSearch search;
+  std::vector<double> functions;
+  std::vector<Index> cell;
+  std::vector<int> slots{0};
+};
+
+TEST(HoleSearch, TellsHeightsApartThatAreEqualInFloat) {
+  for (int k = 1; k <= 8; ++k) {
+    BeyondASimplex beyond(k, 3);
+    const auto first = static_cast<std::uint32_t>(k) + 2;
+    const auto at = [](int) { return 0.3; };
+    beyond.place(first, at, 0.1 + 1e-9);
+    beyond.place(first + 1, at, 0.1);
+    beyond.place(first + 2, at, 0.1 + 2e-9);
+    EXPECT_EQ(beyond.find(), std::vector{first + 1}) << k;
+    EXPECT_TRUE(beyond.search.is_certain(0));
+    beyond.place(first + 2, at, 0.1);
+    EXPECT_EQ(beyond.find(), (std::vector{first + 1, first + 2})) << k;
+  }
+}
+
+TEST(HoleSearch, IsNotCertainOfAVertexInThePlaneOfAFacet) {
+  for (int k = 1; k <= 8; ++k) {
+    BeyondASimplex beyond(k, 1);
+    const auto other = static_cast<std::uint32_t>(k) + 2;
+    const auto in_plane = [&](int r) { return r == 0 ? 0.25 * (1 + 1.0 / 3 * (k - 1)) : -0.25 / 3; };
+    for (const double off : {0.0, 1e-15, -1e-15}) {
+      beyond.place(
+          other, [&](int r) { return in_plane(r) + off; }, -0.1);
+      EXPECT_TRUE(beyond.find().empty() || !beyond.search.is_certain(0)) << k << ", " << off;
+    }
+    beyond.place(
+        other, [&](int r) { return in_plane(r) + 1e-9; }, -0.1);
+    EXPECT_EQ(beyond.find(), std::vector{other}) << k;
+    EXPECT_TRUE(beyond.search.is_certain(0));
+    beyond.place(
+        other, [&](int r) { return in_plane(r) - 1e-9; }, -0.1);
+    EXPECT_TRUE(beyond.find().empty()) << k;
+  }
+}
+
+TEST(HoleSearch, FindsVerticesWhoseLiftsAreTooLargeForFloat) {
+  for (int k = 1; k <= 8; ++k)
+    for (const double scale : {1e30, 1e60, 1e300}) {
+      BeyondASimplex beyond(k, 20);
+      const auto first = static_cast<std::uint32_t>(k) + 2;
+      for (std::uint32_t v = first; v < first + 20; ++v)
+        beyond.place(
+            v, [](int) { return 0.3; }, scale * (1 + (v + 7) % 20));
+      const std::vector<std::uint32_t> found = beyond.find();
+      ASSERT_EQ(found.size(), 1u) << k << ", " << scale;
+      EXPECT_EQ((found[0] + 7) % 20, 0u) << k << ", " << scale;
+    }
+}
+
 }  // namespace
 }  // namespace delone::geometry
