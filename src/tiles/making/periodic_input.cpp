@@ -26,16 +26,6 @@ periodic::SetInput input_of_set(int row_size, const TilesOptions& options) {
   return input;
 }
 
-void each_point(PointStream& points, const std::function<void(const double*)>& visit) {
-  std::vector<double> rows;
-  points.rewind();
-  while (points.next(rows)) {
-    internal::cancellation_point();
-    for (std::size_t at = 0; at < rows.size(); at += static_cast<std::size_t>(points.dimension()))
-      visit(&rows[at]);
-  }
-}
-
 periodic::PeriodicSet make_set(PointStream& points, const TilesOptions& options) {
   const periodic::SetInput input = input_of_set(points.dimension(), options);
   const std::vector<double> free = periodic::free_extent(
