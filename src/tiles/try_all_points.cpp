@@ -14,7 +14,7 @@ namespace delone::tiles {
 
 /// The pages of other tiles, the nearest to the box of this one last.
 std::vector<std::uint32_t> TileTriangulation::pages_by_distance() const {
-  const PageTable& table = tree_.table();
+  const pages::PageTable& table = tree_.table();
   const auto d = static_cast<std::size_t>(table.dimension);
   std::vector<double> low(table.low(tile().first_page), table.high(tile().first_page)),
       high(table.high(tile().first_page), table.high(tile().first_page) + d);

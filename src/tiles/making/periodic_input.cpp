@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tiles/making/periodic_input.hpp"
 
-#include "base/progress_meter.hpp"
 #include "kernel/predicates.hpp"
 #include "periodic/periodic_hash.hpp"
 
