@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace delone::halfspaces {
@@ -175,7 +174,8 @@ class ArrayMaker {
     for (Index site = 1; site < sites_.size(); ++site)
       if (faces_.is_extreme[site]) order.emplace_back(parts_.row_of_site(site), site);
     std::sort(order.begin(), order.end());
-    const hull::Lists around = k_ == 3 ? hull::Lists{} : facets_around_sites();
+    const hull::Lists around =
+        k_ == 3 ? hull::Lists{} : hull::lists_with_each(sites_of_facet_, sites_.size());
     std::vector<Index> cell_with(sites_.size(), invalid_index);
     for (std::size_t c = 0; c < hull_.num_cells(); ++c)
       for (const Index site : hull_.cell(c)) cell_with[site] = static_cast<Index>(c);
@@ -187,18 +187,6 @@ class ArrayMaker {
       data_.facet_offsets.push_back(static_cast<SignedIndex>(data_.facet_vertices.size()));
       data_.facet_direction_offsets.push_back(static_cast<SignedIndex>(data_.facet_directions.size()));
     }
-  }
-
-  hull::Lists facets_around_sites() const {
-    hull::Lists around;
-    around.offsets.assign(sites_.size() + 1, 0);
-    for (const Index site : sites_of_facet_.items) ++around.offsets[site + std::size_t{1}];
-    std::partial_sum(around.offsets.begin(), around.offsets.end(), around.offsets.begin());
-    std::vector<std::size_t> next(around.offsets.begin(), around.offsets.end() - 1);
-    around.items.resize(sites_of_facet_.items.size());
-    for (std::size_t f = 0; f < faces_.num_facets(); ++f)
-      for (const Index site : sites_of_facet_[f]) around.items[next[site]++] = static_cast<Index>(f);
-    return around;
   }
 
   /// For k = 3, the facets of the boundary around a site in cyclic order, those at infinity last. Valid until

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "geometry/hole_search/hole_kernel.hpp"
 
+#include "base/compiled_dimension.hpp"
 #include "kernel/buffer.hpp"
 
 #include <algorithm>
@@ -173,41 +174,14 @@ void find(const PencilTask& task, std::uint64_t* found) {
 }
 
 void replace_here(int k, const double* functions, int slot, const double* row, double* replaced) {
-  switch (k) {
-    case 1:
-      return replace<1>(k, functions, slot, row, replaced);
-    case 2:
-      return replace<2>(k, functions, slot, row, replaced);
-    case 3:
-      return replace<3>(k, functions, slot, row, replaced);
-    case 4:
-      return replace<4>(k, functions, slot, row, replaced);
-    case 5:
-      return replace<5>(k, functions, slot, row, replaced);
-    case 6:
-      return replace<6>(k, functions, slot, row, replaced);
-    default:
-      return replace<0>(k, functions, slot, row, replaced);
-  }
+  internal::with_compiled_dimension<1, 6>(static_cast<std::size_t>(k), [&](auto compiled) {
+    replace<compiled()>(k, functions, slot, row, replaced);
+  });
 }
 
 void find_here(const PencilTask& task, std::uint64_t* found) {
-  switch (task.k) {
-    case 1:
-      return find<1>(task, found);
-    case 2:
-      return find<2>(task, found);
-    case 3:
-      return find<3>(task, found);
-    case 4:
-      return find<4>(task, found);
-    case 5:
-      return find<5>(task, found);
-    case 6:
-      return find<6>(task, found);
-    default:
-      return find<0>(task, found);
-  }
+  internal::with_compiled_dimension<1, 6>(static_cast<std::size_t>(task.k),
+                                          [&](auto k) { find<k()>(task, found); });
 }
 
 }  // namespace HWY_NAMESPACE

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace delone::hull {
 namespace {
@@ -171,13 +170,7 @@ ExtremeSites::ExtremeSites(const BoundarySites& sites, const Lists& facet_sites)
     facets_ = {};
     facets_.add(std::vector<Index>{0, 1});
   }
-  facets_of_.offsets.assign(sites_.size() + 1, 0);
-  for (const Index place : facets_.items) ++facets_of_.offsets[place + std::size_t{1}];
-  std::partial_sum(facets_of_.offsets.begin(), facets_of_.offsets.end(), facets_of_.offsets.begin());
-  std::vector<std::size_t> next(facets_of_.offsets.begin(), facets_of_.offsets.end() - 1);
-  facets_of_.items.resize(facets_.items.size());
-  for (std::size_t f = 0; f < facets_.size(); ++f)
-    for (const Index place : facets_[f]) facets_of_.items[next[place]++] = static_cast<Index>(f);
+  facets_of_ = lists_with_each(facets_, sites_.size());
 }
 
 void ExtremeSites::add_neighbors(std::size_t place, std::vector<char>& marks,
