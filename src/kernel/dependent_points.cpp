@@ -2,6 +2,7 @@
 #include "kernel/dependent_points.hpp"
 
 #include "base/compiled_dimension.hpp"
+#include "kernel/direct.hpp"
 #include "kernel/grid.hpp"
 #include "kernel/minors.hpp"
 
@@ -52,11 +53,28 @@ bool are_dependent(const double* const* points, int exponent) {
   return true;
 }
 
+/// Whether x and y are 2^18 units or more apart, whatever grid both are on. The unit of the coarsest is that
+/// of the finer of the two; a difference of less than 2^18 of these is exact.
+bool are_far_apart(double x, double y) {
+  const double difference = x - y;
+  return difference != 0 &&
+         detail::upper_exponent(difference) > std::min(trailing_exponent(x), trailing_exponent(y)) + 18;
+}
+
+/// Whether all of three points are far apart from each other along the first axis: then are_dependent() is
+/// false. It leaves out one of them at most, so one of the others is 2^17 units or more from its points[0].
+/// With that, largest_lift ≥ 2^34 and bound ≥ 2^34·2·2^17 = 2^52.
+bool are_three_far_apart(const double* const* points) {
+  const double x = points[0][0], y = points[1][0], z = points[2][0];
+  return are_far_apart(x, y) && are_far_apart(x, z) && are_far_apart(y, z);
+}
+
 }  // namespace
 
 bool is_on_sphere_of_others(const Flat& flat, const double* const* points, const double* q) {
   const int k = flat.ambient;
   if (k < 2 || k > most_dimensions || flat.dimension() != k || flat.weighted()) return false;
+  if (are_three_far_apart(points)) return false;  // most are: there is no lattice
   std::array<const double*, most_dimensions + 2> all;
   std::copy_n(points, k + 1, all.begin());
   const auto last = static_cast<std::size_t>(k) + 1;

@@ -76,14 +76,16 @@ struct PointsOfDeterminant {
   bool has_lifts;
 };
 /// The sign of their determinant after it has been scaled by 2^−scale_exponent. The grid of all points is
-/// known; that of these takes longer.
+/// known; that of these takes longer. It is no coarser than that of the base alone, which mostly is too fine.
 inline std::optional<Sign> certified_sign(const CertifiedDeterminant& det, const PointsOfDeterminant& of,
                                           const Grid& grid, std::int64_t scale_exponent = 0) {
   const std::int64_t exponent = determinant_exponent(of.flat, grid, of.has_lifts);
   if (const auto sign = certified_sign(det, power_of_two(exponent - scale_exponent))) return sign;
-  const std::int64_t exponent_here =
-      determinant_exponent(of.flat, of.points, static_cast<std::size_t>(of.count), of.base, of.has_lifts);
-  return certified_sign(det, power_of_two(exponent_here - scale_exponent));
+  const auto exponent_of = [&](int count) {
+    return determinant_exponent(of.flat, of.points, static_cast<std::size_t>(count), of.base, of.has_lifts);
+  };
+  if (!(det.error < power_of_two(exponent_of(0) - scale_exponent))) return std::nullopt;
+  return certified_sign(det, power_of_two(exponent_of(of.count) - scale_exponent));
 }
 
 /// The sign of the determinant of N rows of N entries. REQUIRES that all minors and partial sums are exact in

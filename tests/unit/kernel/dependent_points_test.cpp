@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -74,6 +75,21 @@ TEST(DependentPoints, OffTheLatticeByAnUlpAreNotProved) {
       x = std::nextafter(x, random() % 2 ? 4 : -4);
       EXPECT_TRUE(!points.is_proved() || points.is_true());
     }
+}
+
+TEST(DependentPoints, MayBeThousandsOfUnitsApart) {
+  constexpr std::array axes{0, 1, 2};
+  for (const double unit : {1.0, 0x1p-40, 0x1p450}) {
+    // The corners of a square, and a point off their grid.
+    double points[][3] = {{0, 0, 0}, {1501, 1001, 0}, {-1001, 1501, 0}, {500, 2502, 0}, {0.3, 0.7, 0.1}};
+    for (double(&point)[3] : points)
+      for (double& x : point) x *= unit;
+    std::array<std::size_t, 5> order{0, 1, 2, 3, 4};
+    do {
+      const double* const cell[] = {points[order[0]], points[order[1]], points[order[2]], points[order[3]]};
+      EXPECT_TRUE(is_on_sphere_of_others(Flat{3, axes}, cell, points[order[4]]));
+    } while (std::next_permutation(order.begin(), order.end()));
+  }
 }
 
 TEST(DependentPoints, OfOtherKindsNothingIsSaid) {
