@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 namespace delone::hull {
 
@@ -101,13 +102,22 @@ class Growth {
           (distance > best.distance || (distance == best.distance && p < best.point)))
         best = {distance, p};
     }
-    std::stable_sort(order_.begin(), order_.end(),
-                     [&](Index a, Index b) { return cell_of_[a] < cell_of_[b]; });
+    sort_by_cells(m);
     std::vector<Index> found;
     for (const Farthest& each : farthest)
       if (each.point != invalid_index) found.push_back(each.point);
     std::sort(found.begin(), found.end());
     return found;
+  }
+
+  /// Puts the points of a cell together; they stay in their order.
+  void sort_by_cells(std::size_t num_cells) {
+    std::vector<std::size_t> next(num_cells + 1, 0);
+    for (const Index cell : cell_of_) ++next[cell + std::size_t{1}];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    std::vector<Index> sorted(order_.size());
+    for (const Index p : order_) sorted[next[cell_of_[p]]++] = p;
+    order_ = std::move(sorted);
   }
 
   /// Walks from a cell to the one whose cone contains p. Returns the sum of the weights there, which is more
