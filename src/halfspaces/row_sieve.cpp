@@ -6,7 +6,6 @@
 #include "kernel/predicates.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -35,16 +34,27 @@ std::vector<double> leading_duals(std::span<const double> rows, const InteriorPo
                                   std::span<const int> axes, const std::vector<Index>& list) {
   constexpr std::size_t part = 256;  // so many are in the cache
   const std::size_t width = p.rounded.size() + 1, k = axes.size();
-  std::vector<double> some(part * width), duals(part * 2 * k), leading(list.size() * k);
+  std::vector<double> copied, duals(part * 2 * k), leading(list.size() * k);
+  double rest = 0;  // is no number if one is not finite
   for (std::size_t first = 0; first < list.size(); first += part) {
     internal::cancellation_point();
     const std::size_t count = std::min(part, list.size() - first);
+    const double* some = &rows[list[first] * width];
+    if (list[first + count - 1] - list[first] != count - 1) {  // not one after the other
+      copied.clear();
+      for (std::size_t i = first; i < first + count; ++i)
+        copied.insert(copied.end(), &rows[list[i] * width], &rows[list[i] * width] + width);
+      some = copied.data();
+    }
+    dual_points(some, count, p, axes, duals.data());
+    double* to = leading.data() + first * k;
     for (std::size_t i = 0; i < count; ++i)
-      std::copy_n(&rows[list[first + i] * width], width, &some[i * width]);
-    dual_points(some.data(), count, p, axes, duals.data());
-    for (std::size_t i = 0; i < count; ++i) std::copy_n(&duals[i * 2 * k], k, &leading[(first + i) * k]);
+      for (std::size_t j = 0; j < k; ++j) {
+        *to = duals[i * 2 * k + j];
+        rest += 0 * *to++;
+      }
   }
-  if (!std::all_of(leading.begin(), leading.end(), [](double x) { return std::isfinite(x); })) return {};
+  if (rest != 0) return {};
   return leading;
 }
 
