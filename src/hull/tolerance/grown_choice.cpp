@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull/tolerance/grown_choice.hpp"
 
+#include "base/compiled_dimension.hpp"
 #include "hull/cell_cones.hpp"
 #include "hull/growing_flat.hpp"
 #include "hull/hull_state.hpp"
@@ -92,7 +93,8 @@ class Growth {
     std::size_t cell = 0, count = 0;
     for (const Index p : order_) {
       if (++count % between_signs_of_life == 0) alive_();
-      const double sum = walk(cones, p, cell);
+      const double sum = internal::with_compiled_dimension<2, 4>(
+          d_, [&](auto dimension) { return walk<dimension()>(cones, p, cell); });
       cell_of_[p] = static_cast<Index>(cell);
       if (is_kept_[p] != 0 || !(sum > 1)) continue;
       if (heights[cell] == 0) heights[cell] = height_of(cones.inverse(cell));
@@ -122,22 +124,24 @@ class Growth {
 
   /// Walks from a cell to the one whose cone contains p. Returns the sum of the weights there, which is more
   /// than 1 if p is beyond the cell.
+  template <int D>
   double walk(CellCones& cones, Index p, std::size_t& cell) {
+    const std::size_t d = D > 0 ? static_cast<std::size_t>(D) : d_;
     const double* const center = state_.boundary()->center().data();
-    for (std::size_t j = 0; j < d_; ++j) difference_[j] = points_[p][j] - center[j];
+    for (std::size_t j = 0; j < d; ++j) difference_[j] = points_[p][j] - center[j];
     double sum = 0;
     for (int step = 0; step < longest_walk; ++step) {
       const double* const inverse = cones.inverse(cell);
       double least = 0;
-      std::size_t across = d_;
+      std::size_t across = d;
       sum = 0;
-      for (std::size_t i = 0; i < d_; ++i) {
+      for (std::size_t i = 0; i < d; ++i) {
         double w = 0;
-        for (std::size_t j = 0; j < d_; ++j) w += inverse[i * d_ + j] * difference_[j];
+        for (std::size_t j = 0; j < d; ++j) w += inverse[i * d + j] * difference_[j];
         sum += w;
         if (w < least) least = w, across = i;
       }
-      if (across == d_) return sum;
+      if (across == d) return sum;
       cell = cones.hull().neighbors_of(cell)[across];
     }
     return sum;

@@ -165,9 +165,10 @@ bool is_far_from_flats(GrowingFlat flat, int dimension, double tolerance) {
 }  // namespace
 
 ExtremeSites::ExtremeSites(const BoundarySites& sites, const Lists& facet_sites) {
-  sites_ = facet_sites.items;
-  std::sort(sites_.begin(), sites_.end());
-  sites_.erase(std::unique(sites_.begin(), sites_.end()), sites_.end());
+  std::vector<char> is_extreme(sites.size(), 0);
+  for (const Index site : facet_sites.items) is_extreme[site] = 1;
+  for (Index site = 0; site < sites.size(); ++site)
+    if (is_extreme[site] != 0) sites_.push_back(site);
   std::sort(sites_.begin(), sites_.end(),
             [&](Index a, Index b) { return is_less(sites.point(a), sites.point(b), sites.ambient); });
   std::vector<Index> place_of(sites.size(), invalid_index);
