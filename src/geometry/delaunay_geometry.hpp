@@ -180,6 +180,13 @@ class DelaunayGeometry : public PointPredicates<K> {
                          orientations + first);
     }
   }
+  /// The same for one finite cell of the plane, from the rows of its vertices. Throws nothing.
+  Sign create_triangle(Index cell, const double* rows) requires(K == 2) {
+    return functionals_.template solve<false>(cell, rows, true);
+  }
+  /// Copies what is cached for a cell, k + 2 numbers, and puts it back. REQUIRES that the frame is the same.
+  void save(Index cell, double* to) const { functionals_.save(cell, to); }
+  void put_back(Index cell, const double* from) { functionals_.put_back(cell, from); }
   /// The row of a vertex: k images and the lift.
   void write_row_of(Index v, double* row) const { write_row(point(v), row); }
   /// Prefetches what write_row_of() and value_at() read of a vertex.
