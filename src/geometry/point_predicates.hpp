@@ -288,7 +288,8 @@ class PointPredicates {
     }
     if constexpr (is_quick) {
       constexpr std::size_t most = 64;
-      if (perturbs && vertices.size() <= most && ambient_ == K && form_ == kernel::RowForm::point) {
+      if (perturbs && vertices.size() <= most && !grid.is_small() && ambient_ == K &&
+          form_ == kernel::RowForm::point) {
         const double* candidates[most];
         for (std::size_t i = 0; i < vertices.size(); ++i) candidates[i] = point(vertices[i]);
         simplex[place] = simplex[place == 0 ? 1 : 0];

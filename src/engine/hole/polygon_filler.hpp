@@ -63,11 +63,11 @@ class PolygonFiller {
   void make_room(std::size_t num_sectors) {
     created_.resize(num_sectors - 2);
     if (ring_.size() >= num_sectors) return;
-    ring_.resize(2 * num_sectors);
     within_.resize(2 * num_sectors);
     triangles_.resize(2 * num_sectors);
     polygons_.resize(2 * num_sectors);
     rows_.resize(2 * num_sectors);
+    ring_.resize(2 * num_sectors);  // last, so that it tells what there is room for
   }
 
   bool find_triangles(const G& geometry, StageCounts& counts) {
