@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -150,6 +151,13 @@ class DelaunayGeometry : public PointPredicates<K> {
   /// The orientation of k+1 finite vertices.
   Sign orientation(const Index* vertices) const {
     return kernel::orientation<K>(flat(), gather(vertices).data(), grid_);
+  }
+
+  /// The same as that of the predicates, where the grid of all vertices is not small: on a small one, values
+  /// of functionals prove ties.
+  std::optional<Sign> quick_side(const Index* vertices, Index v) const {
+    if (grid_.is_small()) return std::nullopt;
+    return PointPredicates<K>::quick_side(vertices, v);
   }
 
   using PointPredicates<K>::first_of_plane;

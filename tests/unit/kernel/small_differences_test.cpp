@@ -148,6 +148,14 @@ TEST(SmallDifferences, FindTheFirstInAPencil) {
   EXPECT_FALSE(first_in_pencil_of_small<2>(points, 2, candidates, 2).has_value());
 }
 
+TEST(SmallDifferences, HaveAsManyBitsAsMinorsAllow) {  // docs/predicates.md, "Small lattices"
+  EXPECT_EQ(bits_of_small_differences<1>(), 17);
+  EXPECT_EQ(bits_of_small_differences<2>(), 12);
+  EXPECT_EQ(bits_of_small_differences<3>(), 9);
+  EXPECT_EQ(bits_of_small_differences<4>(), 7);
+  EXPECT_EQ(bits_of_small_differences<5>(), 5);
+}
+
 TEST(SmallDifferences, AreThoseOfMultiplesAlone) {
   const auto are_small = [](double p, double q) {
     const double* const points[] = {&p};
