@@ -14,6 +14,7 @@
 #include "kernel/grid.hpp"
 #include "kernel/minors.hpp"
 #include "kernel/multiples_stage.hpp"
+#include "kernel/small_differences.hpp"
 
 #include <delone/types.hpp>
 
@@ -134,6 +135,8 @@ std::optional<Sign> orientation_by_minors(const Flat& flat, const double* const*
   for (int i = 0; i < K; ++i) last[i] = std::fabs(a[i * K + K - 1]);
   for (const double difference : a) largest = std::max(largest, std::fabs(difference));
   if (!(largest <= moderate)) return std::nullopt;
+  if (flat.ambient == K && are_small_multiples<K>(points, K, base, largest))
+    return sign_by_exact_minors<K>(a);
   return sign_by_minors<K>(a, last, K, {flat, points, K, base, false}, grid);
 }
 
@@ -143,12 +146,14 @@ std::optional<Sign> sphere_by_minors(const Flat& flat, const double* const* poin
                                      const Grid& grid) {
   constexpr int N = K + 1;
   double a[N * N], lift_parts[N];  // |p_i − q|² + |w_i − w_q|
+  double largest_difference = 0;
   for (int i = 0; i < N; ++i) {
     double lift = 0;
     for (int r = 0; r < K; ++r) {
       const int axis = flat.axes[static_cast<std::size_t>(r)];
       const double difference = points[i][axis] - q[axis];
       a[i * N + r] = difference;
+      largest_difference = std::max(largest_difference, std::fabs(difference));
       lift += difference * difference;
     }
     if (flat.ambient != K) {
@@ -170,6 +175,8 @@ std::optional<Sign> sphere_by_minors(const Flat& flat, const double* const* poin
   double largest = 0;
   for (const double part : lift_parts) largest = std::max(largest, part);
   if (!(largest <= moderate * moderate)) return std::nullopt;
+  if (flat.ambient == K && !flat.weighted() && are_small_multiples<K>(points, N, q, largest_difference))
+    return sign_by_exact_minors<N>(a);
   return sign_by_minors<N>(a, lift_parts, K + flat.ambient + 3, {flat, points, N, q, true}, grid);
 }
 
@@ -302,6 +309,7 @@ std::optional<Sign> direct_orientation(const Flat& flat, const double* const* po
   else
     sign = detail::orientation_by_elimination<K>(flat, points, base, grid);
   if (sign) return sign;
+  if (is_flat_without_one(flat, points, base)) return Sign::zero;
   if (const auto of_multiples = orientation_of_multiples(flat.axes, points, base)) return of_multiples;
   return double_double_orientation(flat, points, base);
 }

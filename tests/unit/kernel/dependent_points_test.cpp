@@ -32,6 +32,13 @@ class AlmostLattice {
   }
   double& coordinate(std::size_t point, std::size_t axis) { return points_[point][axis]; }
   bool is_proved() const { return is_on_sphere_of_others(flat(), pointers().data(), points_.back().data()); }
+  /// Of the simplex of all points but the last.
+  bool is_proved_flat() const {
+    return is_flat_without_one(flat(), pointers().data() + 1, points_[0].data());
+  }
+  bool is_flat() const {
+    return exact_orientation(flat(), pointers().data() + 1, points_[0].data()) == Sign::zero;
+  }
   bool is_true() const {
     return exact_sphere(flat(), pointers().data(), points_.back().data()) == Sign::zero;
   }
@@ -60,6 +67,26 @@ TEST(DependentPoints, AreOnOneSphereWithAnyOther) {
           ASSERT_EQ(points.is_proved(), points.is_true()) << k << ' ' << unit;
         }
         ++(points.is_proved() ? num_proved : num_others);
+      }
+    EXPECT_GT(num_proved, 10u) << k;
+    EXPECT_GT(num_others, 10u) << k;
+  }
+}
+
+TEST(DependentPoints, MakeFlatSimplicesWithAnyOther) {
+  std::mt19937_64 random(3);
+  for (std::size_t k = 2; k <= 6; ++k) {
+    std::size_t num_proved = 0, num_others = 0;
+    for (const double unit : {1.0, 0x1p-40, 0x1p450, 0x1p-450, 0x1p-1000, 0x1p1000})
+      for (std::size_t round = 0; round < test::scaled_size(200, 60); ++round) {
+        const std::size_t odd = random() % (k + 2);
+        AlmostLattice points(k, odd, unit, random);
+        ASSERT_EQ(points.is_proved_flat() && !points.is_flat(), false) << k << ' ' << unit;
+        const bool is_moderate = unit >= 0x1p-450 && unit <= 0x1p450;
+        if (is_moderate && odd <= k) {
+          ASSERT_EQ(points.is_proved_flat(), points.is_flat()) << k << ' ' << unit;
+        }
+        ++(points.is_proved_flat() ? num_proved : num_others);
       }
     EXPECT_GT(num_proved, 10u) << k;
     EXPECT_GT(num_others, 10u) << k;
