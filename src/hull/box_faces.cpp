@@ -51,6 +51,8 @@ std::vector<char> find_inner_rows_of_box_faces(std::span<const double> coordinat
       if (ends[axis].count[end] < std::max(least_rows, n / least_share)) continue;
       std::vector<std::size_t> rows;
       std::vector<double> face;  // without the coordinate that all have
+      rows.reserve(ends[axis].count[end]);
+      face.reserve(rows.capacity() * (d - 1));
       for (std::size_t row = 0; row < n; ++row) {
         const double* const x = coordinates.data() + row * d;
         if (x[axis] != ends[axis].value[end] || (!is_inner.empty() && is_inner[row] != 0)) continue;

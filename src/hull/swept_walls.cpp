@@ -13,6 +13,40 @@
 namespace delone::hull {
 namespace {
 
+/// A site of a wall.
+struct Member {
+  double first, second;  ///< the first coordinates, which mostly decide
+  Index site;
+};
+
+/// Sorts members in an order that compares first coordinates first: those in strips of equal width, into
+/// which they are put before. Numbers of strips are rounded, but never decrease as the coordinate increases.
+template <class IsBefore>
+void sort_members(std::vector<Member>& members, IsBefore is_before) {
+  constexpr std::size_t few = 256;
+  const std::size_t n = members.size();
+  double low = members[0].first, high = low;
+  for (const Member& member : members) {
+    low = std::min(low, member.first);
+    high = std::max(high, member.first);
+  }
+  const double strips_per_unit = static_cast<double>(n - 1) / (high - low);
+  if (n < few || !(strips_per_unit > 0x1p-1000 && strips_per_unit < 0x1p1000))
+    return std::sort(members.begin(), members.end(), is_before);
+  const auto strip_of = [&](const Member& member) {
+    return std::min(static_cast<std::size_t>((member.first - low) * strips_per_unit), n - 1);
+  };
+  std::vector<Index> ends(n + 1, 0);  // of the strips before, and then of each
+  for (const Member& member : members) ++ends[strip_of(member) + 1];
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<Member> sorted(n);
+  for (const Member& member : members) sorted[ends[strip_of(member)]++] = member;
+  for (std::size_t strip = 0, begin = 0; strip < n; begin = ends[strip++])
+    if (ends[strip] - begin > 1)
+      std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(begin), sorted.begin() + ends[strip], is_before);
+  members = std::move(sorted);
+}
+
 /// The walls of a hull, and the sites on each.
 class Walls {
  public:
@@ -48,8 +82,18 @@ class Walls {
   /// Sorts out sites; returns, by site, which are strictly inside.
   std::vector<char> add(std::span<const Index> sites) {
     std::vector<char> is_inside(sites_.size(), 0);
-    for (const Index site : sites)
-      is_inside[site] = place(site, [&](Index wall) { add_member(wall, site); }) ? 0 : 1;
+    std::vector<std::pair<Index, Index>> places;
+    places.reserve(sites.size());
+    std::vector<std::size_t> counts(walls_.size(), 0);
+    for (const Index site : sites) {
+      const auto note = [&](Index wall) {
+        places.emplace_back(wall, site);
+        ++counts[wall];
+      };
+      is_inside[site] = place(site, note) ? 0 : 1;
+    }
+    for (Index w = 0; w < walls_.size(); ++w) walls_[w].members.reserve(counts[w]);
+    for (const auto& [wall, site] : places) add_member(wall, site);
     return is_inside;
   }
   void sweep(const std::function<void(std::size_t)>& tick);
@@ -57,10 +101,6 @@ class Walls {
   void assemble(SimplicialHull& hull, std::vector<Index>& planes);
 
  private:
-  struct Member {
-    double first, second;  ///< the first coordinates, which mostly decide
-    Index site;
-  };
   struct Wall {
     std::vector<Member> members;  ///< if there are any, with the vertices of the present cells
     SweptWall swept;              ///< their cells
@@ -138,7 +178,7 @@ void Walls::sweep(Index w, const std::function<void(std::size_t)>& tick) {
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     for (const Index site : vertices) add_member(w, site);
   }
-  std::sort(wall.members.begin(), wall.members.end(), is_before());
+  sort_members(wall.members, is_before());
   std::vector<Index> order(wall.members.size());
   std::transform(wall.members.begin(), wall.members.end(), order.begin(),
                  [](const Member& m) { return m.site; });
@@ -229,23 +269,17 @@ void Walls::assemble(SimplicialHull& hull, std::vector<Index>& planes) {
     planes.resize(hull.num_cells(), best);
   }
   std::vector<std::size_t> borders;  // places of vertices opposite ridges of two walls
-  hull.neighbors.resize(hull.cells.size());
+  hull.neighbors.reserve(hull.cells.size());
+  const auto add_neighbor = [&](Index first, Index neighbor) {
+    if (neighbor == invalid_index) borders.push_back(hull.neighbors.size());
+    hull.neighbors.push_back(neighbor == invalid_index ? neighbor : first + neighbor);
+  };
   for (Index w = 0; w < walls_.size(); ++w) {
     const SweptWall& swept = walls_[w].swept;
-    const std::size_t first = walls_[w].first_cell * k;
-    for (std::size_t at = 0; at < swept.cells.size(); ++at)
-      if (swept.neighbors[at] != invalid_index)
-        hull.neighbors[first + at] = walls_[w].first_cell + swept.neighbors[at];
-      else
-        borders.push_back(first + at);
+    for (const Index neighbor : swept.neighbors) add_neighbor(walls_[w].first_cell, neighbor);
+    if (!swept.cells.empty()) continue;
     for (const Index c : cells_of_wall()[w])
-      for (std::size_t i = 0; i < k && number[c] != invalid_index; ++i) {
-        const std::size_t at = number[c] * k + i;
-        if (const Index across = number[hull_.neighbors_of(c)[i]]; across != invalid_index)
-          hull.neighbors[at] = across;
-        else
-          borders.push_back(at);
-      }
+      for (const Index neighbor : hull_.neighbors_of(c)) add_neighbor(0, number[neighbor]);
   }
   link(hull, borders);
 }
