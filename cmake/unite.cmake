@@ -4,8 +4,8 @@
 # In the preset dev each source is compiled by itself, so that it includes what it uses.
 
 # delone_unite(<target> <files> [ACROSS_FOLDERS]): compiles the sources of a folder together, in parts of equal size of at most so many
-# files. With ACROSS_FOLDERS small folders are joined to the one before. A source with compile options of its own, and one that Highway compiles
-# for several instruction sets, stays alone.
+# files; with ACROSS_FOLDERS those of all folders, in the order of their names. A source with compile options of its own, and one that
+# Highway compiles for several instruction sets, stays alone.
 function(delone_unite target files)
   if(CMAKE_DISABLE_PRECOMPILE_HEADERS)
     return()
@@ -20,21 +20,17 @@ function(delone_unite target files)
     if(several_targets)
       continue()
     endif()
+    if("ACROSS_FOLDERS" IN_LIST ARGN)
+      set(folder ${CMAKE_CURRENT_SOURCE_DIR}/all)
+    endif()
     list(APPEND folders ${folder})
     string(MAKE_C_IDENTIFIER "${folder}" key)
     list(APPEND sources_${key} ${source})
   endforeach()
   list(REMOVE_DUPLICATES folders)
-  set(in_group ${files})  # the number of files in the group that was begun last
   foreach(folder ${folders})
     string(MAKE_C_IDENTIFIER "${folder}" key)
     list(LENGTH sources_${key} number)
-    math(EXPR in_both "${in_group} + ${number}")
-    if("ACROSS_FOLDERS" IN_LIST ARGN AND in_both LESS_EQUAL files)
-      set_source_files_properties(${sources_${key}} PROPERTIES UNITY_GROUP ${group})
-      set(in_group ${in_both})
-      continue()
-    endif()
     math(EXPR parts "(${number} + ${files} - 1) / ${files}")
     file(RELATIVE_PATH name ${CMAKE_CURRENT_SOURCE_DIR} ${folder})
     set(index 0)
@@ -44,7 +40,6 @@ function(delone_unite target files)
       string(MAKE_C_IDENTIFIER "${name}_${part}" group)
       set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
     endforeach()
-    math(EXPR in_group "(${number} + ${parts} - 1) / ${parts}")
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 endfunction()

@@ -17,6 +17,15 @@
 
 namespace delone {
 
+/// The vertices of an intersection of halfspaces, as the same members of IntersectionData.
+struct DELONE_EXPORT_TYPE IntersectionVertices {
+  bool bounded = false;
+  std::vector<double> vertices;
+  std::vector<SignedIndex> vertex_offsets, vertex_halfspaces;
+
+  std::size_t num_vertices() const { return vertex_offsets.empty() ? 0 : vertex_offsets.size() - 1; }
+};
+
 /// A polyhedron, the intersection of halfspaces n·x + c ≤ 0 of R^d: what is true of it in every dimension.
 /// Make a HalfspaceIntersection<D>; functions for all dimensions take a `const HalfspaceIntersectionBase&`.
 ///
@@ -42,6 +51,8 @@ class DELONE_EXPORT HalfspaceIntersectionBase {
   const IntersectionData& data() const;
   /// The same arrays, valid while the pointer is kept; no later change of this object changes them.
   std::shared_ptr<const IntersectionData> shared_data() const;
+  /// Some of these arrays, made anew at each call. Costs less than the first call of data().
+  IntersectionVertices to_vertices() const;
   /// A copy of data(), with the halfspaces.
   IntersectionData to_data() const;
 

@@ -128,7 +128,8 @@ class DELONE_EXPORT NaturalNeighborInterpolator {
   /// as evaluate().
   void gradients(std::span<const double> queries, std::span<double> result,
                  const EvaluateOptions& options = {}, const Execution& how = {}) const;
-  /// The given or estimated gradient at a finite vertex, columns×d numbers.
+  /// The given or estimated gradient at a finite vertex, columns×d numbers. Throws Errc::bad_dimension for a
+  /// result of another size, and as Triangulation::point().
   void site_gradient(VertexId v, std::span<double> result) const;
 
  private:

@@ -185,10 +185,11 @@ export class SiteCells extends DeloneObject {
   readonly neighbors: Int32Array;
   readonly faceAreas: Float64Array;
   readonly distances: Float64Array;
-  readonly vertexOffsets: Float64Array;
-  readonly vertices: Float64Array;
-  readonly faceVertexOffsets: Float64Array;
-  readonly faceVertices: Int32Array;
+  /** This and the next three: with the option `vertices`. */
+  readonly vertexOffsets?: Float64Array;
+  readonly vertices?: Float64Array;
+  readonly faceVertexOffsets?: Float64Array;
+  readonly faceVertices?: Int32Array;
 }
 
 export class Interpolator extends DeloneObject {

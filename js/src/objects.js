@@ -90,15 +90,19 @@ function* membersOf(pointer) {
 
 const namesInC = new WeakMap(); // of each class whose members are known: name in JavaScript → name in C, of arrays
 
-/** Makes an object of the class of a pointer, which it owns from then on. */
+/**
+ * Makes an object of the class of a pointer, which it owns from then on. Members belong to the class, but those of
+ * cells of sites to the object, as the options decide which there are.
+ */
 function adopt(Class, pointer, object = Object.create(Class.prototype)) {
   states.set(object, { pointer, copies: new Map() });
   abandoned.register(object, pointer, object);
-  if (!namesInC.has(Class)) {
-    const arrays = new Map();
+  const owner = Class === SiteCells ? object : Class.prototype;
+  if (owner === object || !namesInC.has(Class)) {
+    const arrays = new Map(namesInC.get(Class));
     for (const [name, inC, type] of membersOf(pointer)) {
       if (type === 1) arrays.set(name, inC);
-      Object.defineProperty(Class.prototype, name, { get() { return members[type](this, inC); }, enumerable: true, configurable: true });
+      Object.defineProperty(owner, name, { get() { return members[type](this, inC); }, enumerable: true, configurable: true });
     }
     namesInC.set(Class, arrays);
   }

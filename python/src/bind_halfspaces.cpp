@@ -78,12 +78,21 @@ class HeldIntersection {
     guard_.change(progress, [&, h = numbers(rows)] {
       intersection_->insert_range(h);
       halfspaces_.reset();
+      vertices_.reset();
     });
   }
 
   /// The arrays, without the halfspaces. Later insertions do not change them.
   std::shared_ptr<const IntersectionData> data() const {
     return ask([](const HalfspaceIntersectionBase& intersection) { return intersection.shared_data(); });
+  }
+  /// Those of them that cost little. Later insertions do not change them.
+  std::shared_ptr<const IntersectionVertices> vertices() const {
+    return ask([this](const HalfspaceIntersectionBase& intersection) {
+      const std::lock_guard lock(held_mutex_);
+      if (!vertices_) vertices_ = std::make_shared<const IntersectionVertices>(intersection.to_vertices());
+      return vertices_;
+    });
   }
   /// A copy of all arrays.
   IntersectionData to_data() const {
@@ -92,7 +101,7 @@ class HeldIntersection {
   /// The halfspaces, a view of what is copied on first use after a change.
   py::array halfspaces() const {
     const auto rows = ask([this](const HalfspaceIntersectionBase& intersection) {
-      const std::lock_guard lock(halfspaces_mutex_);
+      const std::lock_guard lock(held_mutex_);
       if (!halfspaces_)
         halfspaces_ = std::make_shared<const std::vector<double>>(intersection.to_data().halfspaces);
       return halfspaces_;
@@ -114,8 +123,9 @@ class HeldIntersection {
   bool has_interior_ = false;
   Guard guard_;  // of all members below
   std::optional<HalfspaceIntersection<>> intersection_;
-  mutable std::mutex halfspaces_mutex_;  // of halfspaces_, under the guard
+  mutable std::mutex held_mutex_;  // of what follows, under the guard
   mutable std::shared_ptr<const std::vector<double>> halfspaces_;
+  mutable std::shared_ptr<const IntersectionVertices> vertices_;
 };
 
 /// Rows of d + extra numbers.
@@ -231,15 +241,15 @@ void bind_halfspaces(py::module_& module) {
       .def_property_readonly("state",
                              answer([](const HalfspaceIntersectionBase& h) { return name_of(h.state()); }),
                              "'full', 'flat' (some points, but none strictly inside) or 'empty'.")
-      .def_property_readonly("is_bounded",
-                             answer([](const HalfspaceIntersectionBase& h) { return h.is_bounded(); }),
-                             "Whether the intersection is a polytope: full, without directions and lines.")
+      .def_property_readonly(
+          "is_bounded", [](const HeldIntersection& h) { return h.vertices()->bounded; },
+          "Whether the intersection is a polytope: full, without directions and lines.")
       .def_property_readonly("num_halfspaces",
                              answer([](const HalfspaceIntersectionBase& h) { return h.num_halfspaces(); }),
                              "The number m of input rows.")
-      .def_property_readonly("num_vertices",
-                             answer([](const HalfspaceIntersectionBase& h) { return h.num_vertices(); }),
-                             "The number v of vertices, all of which are finite.")
+      .def_property_readonly(
+          "num_vertices", [](const HeldIntersection& h) { return h.vertices()->num_vertices(); },
+          "The number v of vertices, all of which are finite.")
       .def_property_readonly("num_facets",
                              answer([](const HalfspaceIntersectionBase& h) { return h.num_facets(); }),
                              "The number f of facets; also len().")
@@ -260,7 +270,12 @@ void bind_halfspaces(py::module_& module) {
           "axes", [](const HeldIntersection& h) { return py::tuple(py::cast(h.data()->axes)); },
           "The k coordinates onto which the normals project one-to-one, increasing, a tuple.")
       .def_property_readonly(
-          "vertices", &rows_of<&Data::vertices>,
+          "vertices",
+          [](const HeldIntersection& h) {
+            const auto all = h.vertices();
+            const auto d = static_cast<std::size_t>(h.dimension());
+            return rows_view(all->vertices, all->vertices.size() / d, d, all);
+          },
           "The vertices, (v, d) float64, each coordinate the double nearest to the exact one.")
       .def_property_readonly("vertex_offsets", &offsets_of<&Data::vertex_offsets>,
                              "The offsets of `vertex_halfspaces`, (v+1,).")

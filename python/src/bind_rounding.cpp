@@ -22,6 +22,25 @@ using Points = py::array_t<double, py::array::c_style>;
 
 constexpr double most_of_median = 4096;
 
+/// (low, high), the least and the largest numbers of the columns of n ≥ 1 rows of finite numbers.
+py::tuple bounds(const Points& points) {
+  const auto n = static_cast<std::size_t>(points.shape(0)), d = static_cast<std::size_t>(points.shape(1));
+  py::array_t<double> low(points.shape(1)), high(points.shape(1));
+  double* const least = low.mutable_data();
+  double* const largest = high.mutable_data();
+  const double* row = points.data();
+  std::copy_n(row, d, least);
+  std::copy_n(row, d, largest);
+  for (std::size_t i = 1; i < n; ++i) {
+    row += d;
+    for (std::size_t j = 0; j < d; ++j) {
+      least[j] = std::min(least[j], row[j]);
+      largest[j] = std::max(largest[j], row[j]);
+    }
+  }
+  return py::make_tuple(low, high);
+}
+
 /// Whether the size of each column is its largest |coordinate|, without a median: another one reaches half of
 /// it, and most reach the part of it that the median would have to. Looks at as few rows as that takes.
 bool are_largest(const double* rows, std::size_t n, const std::vector<double>& largest) {
@@ -101,6 +120,8 @@ bool may_be_flat(const Points& points, const std::vector<double>& tolerances) {
 }  // namespace
 
 void bind_rounding(py::module_& module) {
+  module.def("_bounds", &bounds, "points"_a,
+             "(low, high), (d,) each: the least and the largest numbers of the columns of finite points.");
   module.def("_column_sizes", &column_sizes, "points"_a, "largest"_a,
              "Of each column the largest |coordinate|, which is given, or the second largest if that is less "
              "than half of it; at most 4096 times the median of those that are not 0.");

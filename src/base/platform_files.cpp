@@ -356,19 +356,4 @@ int sync_piece([[maybe_unused]] const std::string& path, [[maybe_unused]] std::u
   return 0;
 }
 
-int find_no_room([[maybe_unused]] const char* path, [[maybe_unused]] std::uint64_t bytes) {
-#if DELONE_LINUX
-  const int file = ::open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (file < 0) return errno;
-  const auto size = static_cast<off_t>(bytes);
-  int error = fallocate(file, 0, 0, size) == 0 ? 0 : errno;
-  if (error == EOPNOTSUPP || error == ENOSYS) error = ftruncate(file, size) == 0 ? 0 : errno;
-  ::close(file);
-  ::unlink(path);
-  return error;
-#else
-  return 0;
-#endif
-}
-
 }  // namespace delone::platform

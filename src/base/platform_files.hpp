@@ -91,9 +91,4 @@ class FileLock {
   bool is_held_ = true;
 };
 
-/// Whether the file system has room for a file of so many bytes at this path, and such a file is allowed: 0,
-/// or the errno value that says why not. A file that is there is truncated; what is created is removed. 0
-/// where the system cannot tell.
-int find_no_room(const char* path, std::uint64_t bytes);
-
 }  // namespace delone::platform

@@ -19,13 +19,14 @@ std::string and_of_more(std::span<const std::size_t> rows) {
   return rows.size() < 2 ? "" : " (and of " + std::to_string(rows.size() - 1) + " more)";
 }
 
-void require_finite(std::span<const double> numbers, std::size_t width, const std::string& what,
-                    const std::string& item) {
+void require_finite(std::span<const double> numbers, std::size_t width, std::string_view what,
+                    std::string_view item) {
   const std::vector<std::size_t> rows = find_not_finite(numbers, width);
   if (rows.empty()) return;
-  throw Error(
-      Errc::not_finite,
-      what + " of " + item + " " + std::to_string(rows.front()) + " is not finite" + and_of_more(rows), rows);
+  throw Error(Errc::not_finite,
+              std::string(what) + " of " + std::string(item) + " " + std::to_string(rows.front()) +
+                  " is not finite" + and_of_more(rows),
+              rows);
 }
 
 }  // namespace delone::internal

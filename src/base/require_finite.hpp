@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace delone::internal {
@@ -18,7 +19,7 @@ std::string and_of_more(std::span<const std::size_t> rows);
 
 /// Throws Errc::not_finite unless all numbers are finite; rows() of the error lists all rows concerned, as
 /// above. The message reads "WHAT of ITEM 7 is not finite", as in "a coordinate of point 7 is not finite".
-void require_finite(std::span<const double> numbers, std::size_t width, const std::string& what,
-                    const std::string& item = "point");
+void require_finite(std::span<const double> numbers, std::size_t width, std::string_view what,
+                    std::string_view item = "point");
 
 }  // namespace delone::internal

@@ -175,7 +175,7 @@ void in_parts(const Examined& examined, const Volumes& volumes, std::size_t size
 
 Volumes check_volume(const Examined& examined, bool oriented) {
   const ComplexData& data = examined.data;
-  const std::size_t m = data.num_cells(), corners = examined.corners;
+  const std::size_t m = data.num_cells();
   Volumes volumes{axes_of_cells(examined), std::vector<Sign>(m)};
   if (m > 0) volumes.orientation[0] = Geometry(examined, volumes.axes).orientation(0);
   const Sign first_sign = m > 0 ? volumes.orientation[0] : Sign::zero;
@@ -195,24 +195,12 @@ Volumes check_volume(const Examined& examined, bool oriented) {
 
   // Oriented cells lie on different sides of a common facet because level 2 found them coherent.
   if (oriented) return volumes;
-  for_parts(examined.threads, examined.neighbors.size(), part_of_check,
-            [&](std::size_t first, std::size_t last, const StopPoint& stop) {
-              stop();
-              std::vector<SignedIndex> scratch;
-              for (std::size_t at = first; at < last; ++at) {
-                const std::size_t c = at / corners, i = at % corners;
-                const SignedIndex across = examined.neighbors[at];
-                if (across < 0 || static_cast<std::size_t>(across) < c) continue;
-                const auto other = static_cast<std::size_t>(across);
-                const auto a = examined.cell(c), b = examined.cell(other);
-                if (coherent(a, i, b, mirror(a, i, b), scratch) !=
-                    (volumes.orientation[c] == volumes.orientation[other]))
-                  throw Violation{
-                      fmt::format("the cells {} {} and {} {} lie on the same side of their common facet", c,
-                                  braces(a), other, braces(b)),
+  for_neighbors(examined, [&](std::size_t c, std::size_t other, bool are_coherent) {
+    if (are_coherent != (volumes.orientation[c] == volumes.orientation[other]))
+      throw Violation{fmt::format("the cells {} {} and {} {} lie on the same side of their common facet", c,
+                                  braces(examined.cell(c)), other, braces(examined.cell(other))),
                       {c, other}};
-              }
-            });
+  });
   return volumes;
 }
 

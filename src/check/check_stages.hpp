@@ -9,6 +9,7 @@
 #include <delone/data.hpp>
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <utility>
@@ -92,6 +93,11 @@ std::size_t mirror(std::span<const SignedIndex> a, std::size_t i, std::span<cons
 /// on different sides of their common facet, are oriented alike. `scratch` saves an allocation.
 bool coherent(std::span<const SignedIndex> a, std::size_t i, std::span<const SignedIndex> b, std::size_t j,
               std::vector<SignedIndex>& scratch);
+
+/// Calls visit(c, other, are_coherent) for the two cells of each facet inside, by several threads;
+/// are_coherent: coherent(). Throws what it throws for the first pair.
+void for_neighbors(const Examined& examined,
+                   const std::function<void(std::size_t, std::size_t, bool)>& visit);
 
 /// What level 4 finds: the axes on which orientations were taken, and the orientation of each cell.
 struct Volumes {

@@ -169,9 +169,27 @@ bool coherent(std::span<const SignedIndex> a, std::size_t i, std::span<const Sig
   return odd;
 }
 
+void for_neighbors(const Examined& examined,
+                   const std::function<void(std::size_t, std::size_t, bool)>& visit) {
+  const std::size_t corners = examined.corners;
+  for_parts(examined.threads, examined.neighbors.size(), part_of_check,
+            [&](std::size_t first, std::size_t last, const StopPoint& stop) {
+              stop();
+              std::vector<SignedIndex> scratch;
+              for (std::size_t at = first; at < last; ++at) {
+                const std::size_t c = at / corners, i = at % corners;
+                const SignedIndex across = examined.neighbors[at];
+                if (across < 0 || static_cast<std::size_t>(across) < c) continue;
+                const auto other = static_cast<std::size_t>(across);
+                const auto a = examined.cell(c), b = examined.cell(other);
+                visit(c, other, coherent(a, i, b, mirror(a, i, b), scratch));
+              }
+            });
+}
+
 void check_incidence(Examined& examined, bool oriented) {
   const ComplexData& data = examined.data;
-  const std::size_t corners = examined.corners, m = data.num_cells();
+  const std::size_t corners = examined.corners;
   examined.neighbors = paired_facets(data.cells, corners, {}, examined.threads);
 
   for (std::size_t at = 0; at < data.neighbors.size(); ++at) {
@@ -194,22 +212,12 @@ void check_incidence(Examined& examined, bool oriented) {
   }
 
   if (!oriented) return;
-  for_parts(examined.threads, m, part_of_check,
-            [&](std::size_t first, std::size_t last, const StopPoint& stop) {
-              stop();
-              std::vector<SignedIndex> scratch;
-              for (std::size_t at = first * corners; at < last * corners; ++at) {
-                const std::size_t c = at / corners, i = at % corners;
-                const SignedIndex across = examined.neighbors[at];
-                if (across < 0 || static_cast<std::size_t>(across) < c) continue;
-                const auto other = static_cast<std::size_t>(across);
-                const auto a = examined.cell(c), b = examined.cell(other);
-                if (!coherent(a, i, b, mirror(a, i, b), scratch))
-                  throw Violation{fmt::format("the cells {} {} and {} {} are not oriented coherently", c,
-                                              braces(a), other, braces(b)),
-                                  {c, other}};
-              }
-            });
+  for_neighbors(examined, [&](std::size_t c, std::size_t other, bool are_coherent) {
+    if (!are_coherent)
+      throw Violation{fmt::format("the cells {} {} and {} {} are not oriented coherently", c,
+                                  braces(examined.cell(c)), other, braces(examined.cell(other))),
+                      {c, other}};
+  });
 }
 
 namespace {

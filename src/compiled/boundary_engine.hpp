@@ -27,6 +27,10 @@ class BoundaryEngine : public Engine {
  public:
   /// Takes over the view's box, which has changed. Throws std::bad_alloc, and then changes nothing.
   virtual void update_box() = 0;
+  /// Makes the cells those of a hull of the same sites. `planes`: for each the slot of a present cell in the
+  /// same hyperplane, whose functional it takes over. Throws std::bad_alloc, and then changes nothing.
+  /// REQUIRES that no batch has begun.
+  virtual void replace_cells(const SimplicialHull& hull, std::span<const Index> planes) = 0;
   /// A copy that reads sites and view from other places.
   virtual std::unique_ptr<BoundaryEngine> copy(const BoundarySites& sites, const CentralView& view) const = 0;
 

@@ -4,6 +4,7 @@
 
 #include "compiled/boundary_engine.hpp"
 #include "compiled/engine_of.hpp"
+#include "engine/replace_cells.hpp"
 #include "geometry/central_geometry.hpp"
 
 #include <memory>
@@ -34,6 +35,14 @@ class BoundaryEngineOf final : public EngineOf<BoundaryEngine, geometry::Central
   void update_box() override {
     geometry().update_box();
     build_.create_functionals();
+  }
+  void replace_cells(const SimplicialHull& hull, std::span<const Index> planes) override {
+    auto& cells = build_.cells();
+    engine::replace_cells(
+        cells, geometry(), hull.cells, [](Index site) { return site + 1; }, hull.neighbors, planes);
+    build_.starts_with(0, static_cast<Index>(planes.size()));
+    Index& last = build_.workspace().last_cell;
+    while (cells.is_vacant(last)) ++last;
   }
   std::unique_ptr<BoundaryEngine> copy(const BoundarySites& sites, const CentralView& view) const override {
     return std::unique_ptr<BoundaryEngine>(new BoundaryEngineOf(sites, view, simplex_, this));

@@ -5,6 +5,7 @@
 #include "compiled/engine_of.hpp"
 #include "compiled/points_to_wrap.hpp"
 #include "compiled/triangulation_engine.hpp"
+#include "engine/hole/moved_cells.hpp"
 #include "engine/hole/polygon_filler.hpp"
 #include "engine/hole/relocation.hpp"
 #include "engine/wrap/is_worth_wrapping.hpp"
@@ -67,7 +68,7 @@ class TriangulationEngineOf final : public EngineOf<TriangulationEngine, geometr
     if (now == Functionals::ready) return;
     if (now == Functionals::outdated) {
       build_.geometry().rewrite_rows(points_.last_vertex());
-      build_.create_functionals();
+      engine::renew_all_functionals(build_.cells(), build_.geometry());
     } else if constexpr (engine::can_wrap(K)) {
       try {
         create_functionals_of_wrapped();
@@ -120,7 +121,7 @@ class TriangulationEngineOf final : public EngineOf<TriangulationEngine, geometr
   void set_frame(geometry::Frame frame) override {
     geometry().set_frame(std::move(frame), points_.last_vertex());
     if (functionals_ == Functionals::lacking) return;
-    build_.create_functionals();
+    engine::renew_all_functionals(build_.cells(), build_.geometry());
     functionals_ = Functionals::ready;
   }
 

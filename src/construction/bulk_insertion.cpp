@@ -59,11 +59,12 @@ void append_in_order(std::span<const double> rows, std::size_t width, std::span<
 }  // namespace
 
 BulkInsertion::BulkInsertion(State& state, std::vector<Index> order, std::vector<std::size_t> rounds,
-                             bool keeps_slots, internal::BuildLimits& limits,
+                             bool keeps_slots, double margin, internal::BuildLimits& limits,
                              std::function<void(std::size_t)> tick)
     : state_(state),
       limits_(limits),
       keeps_slots_(keeps_slots),
+      margin_(margin),
       order_(std::move(order)),
       rounds_(std::move(rounds)),
       tick_(std::move(tick)),
@@ -142,7 +143,7 @@ void BulkInsertion::start() {
   if (state_.engine && num_spanning_ == 0) {
     const geometry::Frame& frame = frame_of(*state_.engine);
     if (!frame.contains(low_.data()) || !frame.contains(high_.data())) {
-      state_.engine->set_frame(state_.frame_with(low_.data(), high_.data(), 0.0));
+      state_.engine->set_frame(state_.frame_with(low_.data(), high_.data(), margin_));
       state_.landmarks.reset();
     }
     state_.engine->begin_batch();
@@ -166,7 +167,7 @@ Index BulkInsertion::next_spanning() {
 /// Raises the affine dimension of the engine by the point of the next place.
 void BulkInsertion::jump() {
   const Index v = next_spanning();
-  auto raised = state_.new_engine(state_.affine_hull, state_.frame_with(low_.data(), high_.data(), 0.0));
+  auto raised = state_.new_engine(state_.affine_hull, state_.frame_with(low_.data(), high_.data(), margin_));
   raised->jump(state_.complex(), v);
   state_.replace_engine(std::move(raised));
 }
@@ -181,7 +182,7 @@ void BulkInsertion::seed() {
     return;
   }
   state_.replace_engine(
-      state_.new_engine(state_.affine_hull, state_.frame_with(low_.data(), high_.data(), 0.0)));
+      state_.new_engine(state_.affine_hull, state_.frame_with(low_.data(), high_.data(), margin_)));
   if (!wrap(simplex)) state_.engine->seed(simplex);
 }
 

@@ -22,9 +22,10 @@ class BulkInsertion {
  public:
   /// `order`: in which rows are to be inserted; `rounds`: where stretches of it end, each of which covers the
   /// whole set. `keeps_slots`: cells of the present engine keep their slots, so one thread inserts into it;
-  /// those of a new engine may be sorted afterwards. `tick` is told how many rows have been inserted.
+  /// those of a new engine may be sorted afterwards. `margin`: how far a new frame reaches beyond the rows,
+  /// in its extents. `tick` is told how many rows have been inserted.
   BulkInsertion(State& state, std::vector<Index> order, std::vector<std::size_t> rounds, bool keeps_slots,
-                internal::BuildLimits& limits, std::function<void(std::size_t)> tick);
+                double margin, internal::BuildLimits& limits, std::function<void(std::size_t)> tick);
   BulkInsertion(const BulkInsertion&) = delete;
   BulkInsertion& operator=(const BulkInsertion&) = delete;
 
@@ -65,6 +66,7 @@ class BulkInsertion {
   State& state_;
   internal::BuildLimits& limits_;
   const bool keeps_slots_;
+  const double margin_;
   std::vector<Index> order_;         // of rows, the places in which they are stored
   std::vector<std::size_t> rounds_;  // where rounds of the order end
   std::function<void(std::size_t)> tick_;

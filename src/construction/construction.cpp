@@ -97,7 +97,7 @@ void Construction::insert(std::span<const double> coordinates, std::span<const d
   internal::ProgressMeter progress(state_.options.progress, order.size());
   state_.sites.reserve(view.size());
   const std::size_t first_row = state_.sites.add_rows(view.size());
-  BulkInsertion bulk(state_, std::move(order), std::move(rounds), recording_.is_on(), limits_,
+  BulkInsertion bulk(state_, std::move(order), std::move(rounds), recording_.is_on(), 0.0, limits_,
                      [&](std::size_t done) { progress(done); });
   bulk.take(state_.weighted() ? std::span<const double>(weighted_rows(view, weights)) : coordinates);
   if (release) release();

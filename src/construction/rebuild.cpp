@@ -74,8 +74,9 @@ void Editing::rebuild() {
     {
       const PointsAside points(state_.sites.points());
       const std::size_t num_all = live.order.size();
-      BulkInsertion bulk(state_, std::move(live.order), std::move(live.rounds), true, construction_.limits_,
-                         [&](std::size_t done) { tick_batch(done, num_all); });
+      constexpr double margin = 0.0625;  // moves that follow stay in the frame
+      BulkInsertion bulk(state_, std::move(live.order), std::move(live.rounds), true, margin,
+                         construction_.limits_, [&](std::size_t done) { tick_batch(done, num_all); });
       bulk.take(points.rows());
       bulk.run();
       new_ids.push_back(index(infinite_vertex));

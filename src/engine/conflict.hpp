@@ -6,6 +6,7 @@
 #include "engine/geometry_concept.hpp"
 
 #include <cmath>
+#include <optional>
 #include <span>
 
 namespace delone::engine {
@@ -119,6 +120,13 @@ Index vertex_at(const Cells& cells, const G& geometry, Index cell, const typenam
 /// positively oriented or infinite.
 template <class Cells, Geometry G>
 bool is_outside_exactly(const Cells& cells, const G& geometry, Index cell, Index apex, StageCounts& counts) {
+  if (!geometry.is_infinite(cell)) {
+    const auto vertices = cells.vertices(cell);
+    if (const std::optional<Sign> side = geometry.quick_side(vertices, apex)) {
+      ++counts.direct;
+      return *side == Sign::positive;
+    }
+  }
   const typename G::Query q = geometry.query_at(apex);
   if (vertex_at(cells, geometry, cell, q) != invalid_index) return false;
   if (const int slot = cells.infinite_slot(cell); slot >= 0) {

@@ -7,12 +7,12 @@
 #include "base/large_vector.hpp"
 #include "base/parallel_parts.hpp"
 #include "base/quick_rounds.hpp"
+#include "base/spread.hpp"
 
 #include <delone/error.hpp>
 
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
 #include <span>
 
 namespace delone::internal {
@@ -24,24 +24,15 @@ constexpr std::size_t vertices_in_part = 4096, rows_in_part = 1 << 16;
 struct FacesAtVertices {
   std::vector<Index> offsets, faces;
 
-  FacesAtVertices(const FaceLevel& level, Index num_slots)
-      : offsets(static_cast<std::size_t>(num_slots) + 2, 0) {
-    const std::size_t corners = level.corners(), count = level.size();
-    resize_large(faces, 2 * count);
+  FacesAtVertices(const FaceLevel& level, Index num_slots) {
     QuickRounds round;
-    for (std::size_t face = 0; face < count; ++face) {
-      round();
-      for (std::size_t i = 0; i < 2; ++i)
-        ++offsets[static_cast<std::size_t>(level.vertices[face * corners + i]) + 2];
-    }
-    std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-    for (std::size_t face = 0; face < count; ++face) {
-      round();
-      for (std::size_t i = 0; i < 2; ++i)
-        faces[offsets[static_cast<std::size_t>(level.vertices[face * corners + i]) + 1]++] =
-            static_cast<Index>(face);
-    }
-    offsets.pop_back();
+    spread(num_slots, offsets, faces, [&](const auto& put) {
+      for (std::size_t face = 0; face < level.size(); ++face) {
+        round();
+        for (std::size_t i = 0; i < 2; ++i)
+          put(static_cast<std::size_t>(level.vertices[face * level.corners() + i]), static_cast<Index>(face));
+      }
+    });
   }
 };
 

@@ -214,6 +214,8 @@ class CentralGeometry {
   }
   /// Says nothing of a cell: exact stages decide.
   void give_up(Index cell, bool) { functionals_.give_up(cell, false); }
+  /// Takes over what is cached of a cell in the same hyperplane.
+  void adopt_hyperplane(Index cell, Index from) { copy_functional(cells_, cell, from); }
   /// Computes what is cached for a cell: by elimination, unless its hyperplane is that of a coordinate.
   void create(Index cell, const Index* vertices, int, int) {
     const double* const first = point(vertices[0]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The functional of a cell in the hyperplane of a coordinate.
+// Functionals of cells in hyperplanes that are known: those of coordinates, and those of other cells.
 #pragma once
 
 #include "cells/cell_memory.hpp"
@@ -29,6 +29,16 @@ bool write_coordinate_functional(cells::CellMemory<K>& memory, Index cell, int r
   const double error = 6 * 0x1p-53 * (1 + std::fabs(g));
   *memory.records().certificate(cell) = std::bit_cast<double>(certificate::pack(error, error, 0, false));
   return true;
+}
+
+/// Copies the functional, not lifted, of a cell in the same hyperplane. Its threshold bounds errors
+/// everywhere in the box. No determinant is known.
+template <int K>
+void copy_functional(cells::CellMemory<K>& memory, Index cell, Index from) {
+  const auto records = memory.records();
+  std::copy_n(records.functional(from), memory.layout().num_coefficients(), records.functional(cell));
+  const double threshold = certificate::threshold(std::bit_cast<std::uint64_t>(*records.certificate(from)));
+  *records.certificate(cell) = std::bit_cast<double>(certificate::pack(threshold, threshold, 0, false));
 }
 
 }  // namespace delone::geometry

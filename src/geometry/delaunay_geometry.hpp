@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -152,6 +153,13 @@ class DelaunayGeometry : public PointPredicates<K> {
     return kernel::orientation<K>(flat(), gather(vertices).data(), grid_);
   }
 
+  /// The same as that of the predicates, where the grid of all vertices is not small: on a small one, values
+  /// of functionals prove ties.
+  std::optional<Sign> quick_side(const Index* vertices, Index v) const {
+    if (grid_.is_small()) return std::nullopt;
+    return PointPredicates<K>::quick_side(vertices, v);
+  }
+
   using PointPredicates<K>::first_of_plane;
   /// The same on the grid of the vertices.
   std::size_t first_of_plane(Index from, Index to, std::span<const Index> vertices, StageCounts& counts) const
@@ -180,6 +188,13 @@ class DelaunayGeometry : public PointPredicates<K> {
                          orientations + first);
     }
   }
+  /// The same for one finite cell of the plane, from the rows of its vertices. Throws nothing.
+  Sign create_triangle(Index cell, const double* rows) requires(K == 2) {
+    return functionals_.template solve<false>(cell, rows, true);
+  }
+  /// Copies what is cached for a cell, k + 2 numbers, and puts it back. REQUIRES that the frame is the same.
+  void save(Index cell, double* to) const { functionals_.save(cell, to); }
+  void put_back(Index cell, const double* from) { functionals_.put_back(cell, from); }
   /// The row of a vertex: k images and the lift.
   void write_row_of(Index v, double* row) const { write_row(point(v), row); }
   /// Prefetches what write_row_of() and value_at() read of a vertex.

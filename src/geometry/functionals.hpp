@@ -131,6 +131,14 @@ class Functionals {
   void solve(Index cell, const double* rows) requires(!Lifted);
   /// Says nothing of a cell.
   void give_up(Index cell, bool infinite);
+  /// Copies the functional of a cell and its certificate, k + 2 numbers, and puts them back.
+  void save(Index cell, double* to) const {
+    *std::copy_n(functional(cell), k() + 1, to) = *memory_.records().certificate(cell);
+  }
+  void put_back(Index cell, const double* from) {
+    std::copy_n(from, k() + 1, functional(cell));
+    *memory_.records().certificate(cell) = from[k() + 1];
+  }
 
   /// Computes the functionals of a star's cells from those of the cells on the two sides of each facet: the
   /// functionals that vanish on the facet are a pencil, and the new one is its member that vanishes at the

@@ -56,6 +56,8 @@ class PointPredicates {
   /// Whether a point is outside of a finite cell where the functional is positive: outside of its sphere.
   /// With weights, and for furthest points, it may be anywhere.
   bool is_outside_where_positive() const { return form_ == kernel::RowForm::point; }
+  /// Whether a vertex may be in no cell.
+  bool may_hide() const { return form_ != kernel::RowForm::point; }
   bool is_at(Index vertex, const PointQuery& q) const {
     return kernel::equal_points(point(vertex), q.point, q.compared);
   }
@@ -98,6 +100,15 @@ class PointPredicates {
                         q.point, key_weights.data(), is_tiny ? per_unit.data() : nullptr, sides});
   }
 
+  /// The side of a finite cell that a vertex is on, ties perturbed, if all are on a small grid of their own
+  /// and no two at one point: that takes a part of the time of the other predicates.
+  std::optional<Sign> quick_side(const Index* vertices, Index v) const {
+    if constexpr (is_quick)
+      if (ambient_ == K && form_ == kernel::RowForm::point)
+        return kernel::side_of_small<K>(gather(vertices).data(), point(v));
+    return std::nullopt;
+  }
+
   /// The sign of h(q) for a finite cell, zero on a tie: that of the power of q with respect to the cell's
   /// sphere or, for furthest points, its opposite.
   Sign unperturbed_side(const Index* vertices, const PointQuery& q) const {
@@ -129,6 +140,13 @@ class PointPredicates {
   Index first_in_pencil(Index* simplex, int slot, Sign orientation, std::span<const Index> vertices,
                         const kernel::Grid& grid, StageCounts& counts) const {
     return *first_in_pencil(simplex, slot, orientation, vertices, grid, true, counts);
+  }
+
+  /// In the plane: the side of an edge that a vertex is on, positive on its left; zero if it takes more than
+  /// rounded numbers to tell.
+  Sign certain_side(Index from, Index to, Index v) const requires(K == 2) {
+    if (ambient_ != K) return Sign::zero;
+    return -PlanePencil(point(from), point(to)).view(point(v)).side();  // which is positive on the right
   }
 
   /// In the plane: of vertices that make positively oriented triangles with two others, as (from, v, to), the
@@ -168,16 +186,36 @@ class PointPredicates {
     return first;
   }
 
+  /// Takes those out of `vertices` that lie in the plane of facet `slot` of a cell because they share a
+  /// coordinate with all vertices of the facet. REQUIRES that these are affinely independent.
+  void drop_coplanar(const Index* cell, int slot, std::vector<Index>& vertices) const {
+    const double* const any = point(cell[slot == 0 ? 1 : 0]);
+    for (const int axis : axes_) {
+      const auto is_level = [&](Index v) { return point(v)[axis] == any[axis]; };
+      int i = 0;
+      while (i <= dimension() && (i == slot || is_level(cell[i]))) ++i;
+      if (i <= dimension()) continue;
+      std::erase_if(vertices, is_level);
+      return;
+    }
+  }
+
   /// Writes rows of the vertices, which have numbers from 1 on, and of the center, which has the number after
   /// theirs unless it is one of them, to be searched with rounded numbers: relative to the center, and scaled
   /// to magnitudes of at most 1.
   void place(std::span<const Index> vertices, Index center, HoleSearch& search) {
     const auto ambient = static_cast<std::size_t>(ambient_);
     const double* const origin = point(center);
-    scales_.assign(ambient, 0.0);
+    low_.assign(point(vertices.front()), point(vertices.front()) + ambient);
+    high_ = low_;
     for (const Index v : vertices)
-      for (std::size_t j = 0; j < ambient; ++j)
-        scales_[j] = std::max(scales_[j], std::fabs(point(v)[j] - origin[j]));
+      for (std::size_t j = 0; j < ambient; ++j) {
+        low_[j] = std::min(low_[j], point(v)[j]);
+        high_[j] = std::max(high_[j], point(v)[j]);
+      }
+    scales_.resize(ambient);
+    for (std::size_t j = 0; j < ambient; ++j)
+      scales_[j] = std::max(std::fabs(low_[j] - origin[j]), std::fabs(high_[j] - origin[j]));
     scale_of_lift_ = std::numeric_limits<double>::infinity();
     for (double& scale : scales_) {
       scale = scale > 0 ? std::ldexp(1.0, -std::clamp(std::ilogb(scale), -1000, 1000) - 1) : 1.0;
@@ -187,6 +225,21 @@ class PointPredicates {
     for (std::size_t i = 0; i < vertices.size(); ++i) place_one(vertices[i], search.row(i + 1));
     place_one(center, search.row(vertices.size() + 1));
     search.arrange();
+  }
+  /// Whether facet `slot` of a cell lies in a side of the box of the vertices that were placed last, and the
+  /// vertex in the slot beyond that side: then none of them is where that one is.
+  bool is_in_side_of_box(const Index* cell, int slot) const {
+    const double *const any = point(cell[slot == 0 ? 1 : 0]), *const opposite = point(cell[slot]);
+    for (const int axis : axes_) {
+      const auto j = static_cast<std::size_t>(axis);
+      const bool is_beyond =
+          (any[j] == high_[j] && opposite[j] > high_[j]) || (any[j] == low_[j] && opposite[j] < low_[j]);
+      if (!is_beyond) continue;
+      int i = 0;
+      while (i <= dimension() && (i == slot || point(cell[i])[j] == any[j])) ++i;
+      if (i > dimension()) return true;
+    }
+    return false;
   }
   /// The row of one more vertex near that center.
   void place_one(Index v, double* row) const {
@@ -219,6 +272,9 @@ class PointPredicates {
   std::vector<int> axes_;
 
  private:
+  /// Whether there are predicates for small grids of the points at hand.
+  static constexpr bool is_quick = K >= 2 && K <= 5;
+
   /// Of vertices that make a simplex of that orientation in the slot, the one whose sphere has no other of
   /// them inside. Ties are perturbed, or else nothing is returned.
   std::optional<Index> first_in_pencil(Index* simplex, int slot, Sign orientation,
@@ -229,6 +285,21 @@ class PointPredicates {
     if (orientation == Sign::negative) {  // so that the simplices are positive
       place = slot == 0 ? 1 : 0;
       simplex[slot] = simplex[place];
+    }
+    if constexpr (is_quick) {
+      constexpr std::size_t most = 64;
+      if (perturbs && vertices.size() <= most && !grid.is_small() && ambient_ == K &&
+          form_ == kernel::RowForm::point) {
+        const double* candidates[most];
+        for (std::size_t i = 0; i < vertices.size(); ++i) candidates[i] = point(vertices[i]);
+        simplex[place] = simplex[place == 0 ? 1 : 0];
+        const std::optional<std::size_t> found =
+            kernel::first_in_pencil_of_small<K>(gather(simplex).data(), place, candidates, vertices.size());
+        if (found) {
+          counts.direct += vertices.size();
+          return *found < vertices.size() ? vertices[*found] : first;
+        }
+      }
     }
     Index& apex = simplex[place];
     for (const Index v : vertices) {
@@ -253,6 +324,7 @@ class PointPredicates {
   const std::vector<double>& coordinates_;
   // Of place().
   Index center_ = index(infinite_vertex);
+  std::vector<double> low_, high_;  // the box of the vertices
   std::vector<double> scales_;
   double scale_of_lift_ = 1;
 };

@@ -3,6 +3,7 @@
 // Proofs: docs/predicates.md, "Many simplices at once".
 #include "geometry/simplex_kernel.hpp"
 
+#include "base/compiled_dimension.hpp"
 #include "geometry/pair.hpp"
 
 #include <algorithm>
@@ -250,24 +251,8 @@ void solve(const SimplexTask& task) {
 }
 
 void solve_here(const SimplexTask& task) {
-  switch (task.k) {
-    case 2:
-      return solve<2>(task);
-    case 3:
-      return solve<3>(task);
-    case 4:
-      return solve<4>(task);
-    case 5:
-      return solve<5>(task);
-    case 6:
-      return solve<6>(task);
-    case 7:
-      return solve<7>(task);
-    case 8:
-      return solve<8>(task);
-    default:
-      return solve<0>(task);
-  }
+  internal::with_compiled_dimension<2, 8>(static_cast<std::size_t>(task.k),
+                                          [&](auto k) { solve<k()>(task); });
 }
 
 /// K is k, or 0 for any.
@@ -317,24 +302,8 @@ void certify(const SimplexTask& task) {
 }
 
 void certify_here(const SimplexTask& task) {
-  switch (task.k) {
-    case 2:
-      return certify<2>(task);
-    case 3:
-      return certify<3>(task);
-    case 4:
-      return certify<4>(task);
-    case 5:
-      return certify<5>(task);
-    case 6:
-      return certify<6>(task);
-    case 7:
-      return certify<7>(task);
-    case 8:
-      return certify<8>(task);
-    default:
-      return certify<0>(task);
-  }
+  internal::with_compiled_dimension<2, 8>(static_cast<std::size_t>(task.k),
+                                          [&](auto k) { certify<k()>(task); });
 }
 
 }  // namespace HWY_NAMESPACE

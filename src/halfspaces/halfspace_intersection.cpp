@@ -11,6 +11,7 @@
 #include "halfspaces/halfspace_cone.hpp"
 #include "halfspaces/interior_point.hpp"
 #include "halfspaces/intersection_arrays.hpp"
+#include "halfspaces/row_sieve.hpp"
 #include "halfspaces/sites_to_insert.hpp"
 #include "kernel/direct.hpp"
 #include "kernel/predicates.hpp"
@@ -50,21 +51,28 @@ struct HalfspaceIntersectionBase::Impl {
       : d(other.d),
         options(other.options),
         rows(other.rows),
-        current(std::make_unique<IntersectionParts>(*other.current)),
+        current(std::make_unique<IntersectionParts>(other.locked().parts)),
         order_seconds(other.order_seconds),
         build_seconds(other.build_seconds),
         most_threads(other.most_threads) {}
 
   std::size_t d;
   Options options;
-  std::vector<double> rows;  // m×(d+1)
-  std::unique_ptr<IntersectionParts> current;
+  std::vector<double> rows;                    // m×(d+1)
+  std::unique_ptr<IntersectionParts> current;  // analyse() gives sites to rows, under the mutex
   double order_seconds = 0, build_seconds = 0;
   unsigned most_threads = 1;
   mutable std::mutex mutex;
   mutable std::shared_ptr<const IntersectionData> data;
 
   std::size_t num_rows() const { return rows.size() / (d + 1); }
+
+  /// The state, while no other thread changes it.
+  struct Locked {
+    std::unique_lock<std::mutex> lock;
+    const IntersectionParts& parts;
+  };
+  Locked locked() const { return {std::unique_lock(mutex), *current}; }
 
   /// Throws unless all is well with new rows.
   void check_rows(std::span<const double> added) const {
@@ -106,6 +114,7 @@ struct HalfspaceIntersectionBase::Impl {
     auto next = std::make_unique<IntersectionParts>(d);
     const std::size_t m = all.size() / (d + 1);
     std::vector<std::size_t> proper;
+    proper.reserve(m);
     for (std::size_t r = 0; r < m; ++r) {
       if (has_normal(&all[r * (d + 1)], d)) {
         proper.push_back(r);
@@ -125,7 +134,10 @@ struct HalfspaceIntersectionBase::Impl {
       }
     }
     internal::Stopwatch stopwatch;
-    add_sites(*next, all, 0);
+    std::vector<Index> having_site(proper.begin(), proper.end());
+    if (next->state == IntersectionState::full)
+      next->redundant = halfspaces::remove_redundant(all, next->interior, options, having_site);
+    next->add_rows(all, having_site);
     if (next->state != IntersectionState::full) return next;
     span_rows(*next);
     order_seconds += stopwatch.seconds();
@@ -133,7 +145,7 @@ struct HalfspaceIntersectionBase::Impl {
     return next;
   }
 
-  /// Adds the sites of new rows, and their dual points if the axes are known.
+  /// Adds the sites of new rows and their dual points.
   void add_sites(IntersectionParts& parts, const std::vector<double>& all, std::size_t first) const {
     const std::span<const double> added = std::span(all).subspan(first * (d + 1));
     std::vector<Index> having_normal;
@@ -172,7 +184,6 @@ struct HalfspaceIntersectionBase::Impl {
     } else {
       parts.cone->include_sites(first);
     }
-    for (const Index site : sites.inner) parts.cone->leave_out(site);
     internal::ProgressMeter progress(options.progress, order.size());
     // As given means in that order.
     const bool is_shared =
@@ -211,6 +222,7 @@ struct HalfspaceIntersectionBase::Impl {
 
   /// Inserts the rows from `first` on into a cone whose rank they do not raise, all or none.
   void extend(IntersectionParts& parts, std::size_t first) {
+    parts.give_redundant_rows_sites(rows);
     const sites::GrowingSites::Mark before = parts.sites.mark();
     parts.cone->begin_batch();
     try {
@@ -247,10 +259,18 @@ struct HalfspaceIntersectionBase::Impl {
     const std::lock_guard lock(mutex);
     if (!data) {
       data = internal::guarded("the faces of the intersection", [&] {
+        current->give_redundant_rows_sites(rows);
         return std::make_shared<const IntersectionData>(halfspaces::intersection_arrays(*current));
       });
     }
     return data;
+  }
+
+  IntersectionVertices vertices() const {
+    const std::lock_guard lock(mutex);
+    if (data) return {data->bounded, data->vertices, data->vertex_offsets, data->vertex_halfspaces};
+    return internal::guarded("the vertices of the intersection",
+                             [&] { return halfspaces::intersection_vertices(*current); });
   }
 };
 
@@ -309,6 +329,7 @@ const IntersectionData& HalfspaceIntersectionBase::data() const { return *impl_-
 std::shared_ptr<const IntersectionData> HalfspaceIntersectionBase::shared_data() const {
   return impl_->analyse();
 }
+IntersectionVertices HalfspaceIntersectionBase::to_vertices() const { return impl_->vertices(); }
 IntersectionData HalfspaceIntersectionBase::to_data() const {
   IntersectionData copy = data();
   copy.halfspaces = impl_->rows;
@@ -329,20 +350,21 @@ Measure HalfspaceIntersectionBase::volume() const {
 }
 double HalfspaceIntersectionBase::volume_of_faces() const {
   const ArithmeticScope arithmetic;
-  return halfspaces::volume_of_faces(*impl_->current);
+  return halfspaces::volume_of_faces(impl_->locked().parts);
 }
 Measure HalfspaceIntersectionBase::dual_volume() const {
   const ArithmeticScope arithmetic;
-  return halfspaces::dual_measure(*impl_->current, true);
+  return halfspaces::dual_measure(impl_->locked().parts, true);
 }
 Measure HalfspaceIntersectionBase::dual_area() const {
   const ArithmeticScope arithmetic;
-  return halfspaces::dual_measure(*impl_->current, false);
+  return halfspaces::dual_measure(impl_->locked().parts, false);
 }
 
 std::size_t HalfspaceIntersectionBase::num_cells() const {
   const ArithmeticScope arithmetic;
-  return impl_->current->cone ? impl_->current->cone->make_hull().num_cells() : 0;
+  const auto& [lock, parts] = impl_->locked();
+  return parts.cone ? parts.cone->make_hull().num_cells() : 0;
 }
 
 Statistics HalfspaceIntersectionBase::statistics() const {
@@ -350,16 +372,17 @@ Statistics HalfspaceIntersectionBase::statistics() const {
   s.order_seconds = impl_->order_seconds;
   s.build_seconds = impl_->build_seconds;
   s.threads = impl_->most_threads;
-  if (!impl_->current->cone) return s;
-  const engine::Effort effort = impl_->current->cone->effort();
+  const auto& [lock, parts] = impl_->locked();
+  if (!parts.cone) return s;
+  const engine::Effort effort = parts.cone->effort();
   s.created_cells = effort.created_cells;
   s.visited_cells = effort.visited_cells;
-  s.insertions = impl_->current->cone->insertions();
+  s.insertions = parts.cone->insertions();
   s.filter = effort.stages.filter;
   s.direct = effort.stages.direct;
   s.exact = effort.stages.exact;
   s.perturbed = effort.stages.perturbed;
-  s.cell_bytes = impl_->current->cone->bytes();
+  s.cell_bytes = parts.cone->bytes();
   return s;
 }
 

@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace delone::halfspaces {
@@ -31,7 +30,20 @@ class ArrayMaker {
       : parts_(parts),
         sites_(parts.sites),
         d_(parts.interior.rounded.size()),
-        k_(static_cast<std::size_t>(parts.rank())) {}
+        k_(static_cast<std::size_t>(parts.rank())),
+        axes_(sites_.axes.begin(), sites_.axes.begin() + static_cast<std::ptrdiff_t>(k_)) {}
+
+  IntersectionVertices vertices() {
+    if (parts_.state != IntersectionState::full) return {};
+    data_.vertex_offsets = {0};
+    if (parts_.cone) {
+      hull_ = parts_.cone->make_hull();
+      merge_cells();
+      make_vertices();
+    }
+    return {data_.bounded, std::move(data_.vertices), std::move(data_.vertex_offsets),
+            std::move(data_.vertex_halfspaces)};
+  }
 
   IntersectionData make() {
     data_.dimension = static_cast<int>(d_);
@@ -46,7 +58,6 @@ class ArrayMaker {
     data_.rank = parts_.rank();
     data_.interior_point = parts_.interior.rounded;
     data_.interior_point_is_exact = parts_.interior.is_exact();
-    axes_.assign(sites_.axes.begin(), sites_.axes.begin() + static_cast<std::ptrdiff_t>(k_));
     data_.axes = axes_;
     std::vector<const double*> basis;
     for (std::size_t i = 1; i < parts_.basis.size(); ++i) basis.push_back(sites_.point(parts_.basis[i]));
@@ -76,14 +87,11 @@ class ArrayMaker {
     is_at_infinity_.assign(num_facets, 0);
     for (std::size_t c = hull_.num_cells(); c-- > 0;)
       cell_of_facet_[faces_.facet_of_cell[c]] = static_cast<Index>(c);
-    std::vector<char> is_corner(sites_.size(), 0);
-    for (const Index site : hull_.cells) is_corner[site] = 1;
-    data_.bounded = k_ == d_ && !is_corner[0] && !cell_through(*parts_.cone, hull_, 0);
+    const bool is_corner = std::find(hull_.cells.begin(), hull_.cells.end(), 0) != hull_.cells.end();
+    data_.bounded = k_ == d_ && !is_corner && !cell_through(*parts_.cone, hull_, 0);
     if (!data_.bounded)
       for (std::size_t f = 0; f < num_facets; ++f)
         is_at_infinity_[f] = side_of_cell(*parts_.cone, hull_, cell_of_facet_[f], 0) == Sign::zero;
-    for (Index site = 1; site < sites_.size(); ++site)
-      if (!is_corner[site]) inner_sites_.push_back(site);
   }
 
   void classify() {
@@ -93,9 +101,13 @@ class ArrayMaker {
           kind_of_site_[site] = HalfspaceKind::facet;
         else if (!is_at_infinity_[faces_.facet_of_cell[c]])
           kind_of_site_[site] = HalfspaceKind::touching;
-    for (const Index site : inner_sites_)
+    std::vector<char> is_corner(sites_.size(), 0);
+    for (const Index site : hull_.cells) is_corner[site] = 1;
+    for (Index site = 1; site < sites_.size(); ++site) {
+      if (is_corner[site]) continue;
       if (const auto cell = cell_through(*parts_.cone, hull_, site); cell && touches(site, *cell))
         kind_of_site_[site] = HalfspaceKind::touching;
+    }
   }
 
   /// The cells whose hyperplanes contain a site are connected: they surround the face that contains the site.
@@ -175,7 +187,8 @@ class ArrayMaker {
     for (Index site = 1; site < sites_.size(); ++site)
       if (faces_.is_extreme[site]) order.emplace_back(parts_.row_of_site(site), site);
     std::sort(order.begin(), order.end());
-    const hull::Lists around = k_ == 3 ? hull::Lists{} : facets_around_sites();
+    const hull::Lists around =
+        k_ == 3 ? hull::Lists{} : hull::lists_with_each(sites_of_facet_, sites_.size());
     std::vector<Index> cell_with(sites_.size(), invalid_index);
     for (std::size_t c = 0; c < hull_.num_cells(); ++c)
       for (const Index site : hull_.cell(c)) cell_with[site] = static_cast<Index>(c);
@@ -187,18 +200,6 @@ class ArrayMaker {
       data_.facet_offsets.push_back(static_cast<SignedIndex>(data_.facet_vertices.size()));
       data_.facet_direction_offsets.push_back(static_cast<SignedIndex>(data_.facet_directions.size()));
     }
-  }
-
-  hull::Lists facets_around_sites() const {
-    hull::Lists around;
-    around.offsets.assign(sites_.size() + 1, 0);
-    for (const Index site : sites_of_facet_.items) ++around.offsets[site + std::size_t{1}];
-    std::partial_sum(around.offsets.begin(), around.offsets.end(), around.offsets.begin());
-    std::vector<std::size_t> next(around.offsets.begin(), around.offsets.end() - 1);
-    around.items.resize(sites_of_facet_.items.size());
-    for (std::size_t f = 0; f < faces_.num_facets(); ++f)
-      for (const Index site : sites_of_facet_[f]) around.items[next[site]++] = static_cast<Index>(f);
-    return around;
   }
 
   /// For k = 3, the facets of the boundary around a site in cyclic order, those at infinity last. Valid until
@@ -277,7 +278,7 @@ class ArrayMaker {
   SimplicialHull hull_;
   hull::PolytopeFaces faces_;
   hull::Lists sites_of_facet_;
-  std::vector<Index> cell_of_facet_, inner_sites_, cycle_;
+  std::vector<Index> cell_of_facet_, cycle_;
   std::vector<char> is_at_infinity_;
   std::vector<SignedIndex> number_;
   std::vector<HalfspaceKind> kind_of_site_;
@@ -296,6 +297,7 @@ IntersectionParts::IntersectionParts(std::size_t d)
 
 IntersectionParts::IntersectionParts(const IntersectionParts& other)
     : sites(other.sites),
+      redundant(other.redundant),
       basis(other.basis),
       interior(other.interior),
       state(other.state),
@@ -307,6 +309,33 @@ void IntersectionParts::add_rows(std::span<const double> rows, const std::vector
   const auto first = static_cast<Index>(sites.size());
   sites.add_rows(rows, &having_normal);
   add_duals(first);
+}
+
+void IntersectionParts::give_redundant_rows_sites(std::span<const double> rows) {
+  if (redundant.empty()) return;
+  const std::size_t d = interior.rounded.size(), k = static_cast<std::size_t>(rank());
+  std::vector<double> given, duals(redundant.size() * 2 * k);
+  given.reserve(redundant.size() * (d + 1));
+  for (const Index row : redundant) {
+    const auto entries = rows.subspan(row * (d + 1), d + 1);
+    given.insert(given.end(), entries.begin(), entries.end());
+  }
+  dual_points(given.data(), redundant.size(), interior, std::span(sites.axes).first(k), duals.data());
+  const auto first = static_cast<Index>(sites.size());
+  cone->reserve(first + redundant.size());
+  sites.duals.reserve((first + redundant.size()) * 2 * k);
+  sites.give_sites(redundant, [&](Index row) { return &rows[row * (d + 1)]; });
+  // The sites are in the boundary's box. If it throws below, they are not known to be interior, which is no
+  // error.
+  std::size_t at = 0;
+  for (auto site = first; site < sites.size(); ++site) {
+    while (redundant[at] != sites.row_of_site(site)) ++at;
+    const auto dual = duals.begin() + static_cast<std::ptrdiff_t>(at * 2 * k);
+    sites.duals.insert(sites.duals.end(), dual, dual + static_cast<std::ptrdiff_t>(2 * k));
+  }
+  redundant.clear();
+  cone->include_sites(first);
+  for (auto site = first; site < sites.size(); ++site) cone->leave_out(site);
 }
 
 void IntersectionParts::add_duals(Index first) {
@@ -333,6 +362,10 @@ bool is_strictly_inside(const double* row, const InteriorPoint& p) {
 }
 
 IntersectionData intersection_arrays(const IntersectionParts& parts) { return ArrayMaker(parts).make(); }
+
+IntersectionVertices intersection_vertices(const IntersectionParts& parts) {
+  return ArrayMaker(parts).vertices();
+}
 
 Measure dual_measure(const IntersectionParts& parts, bool volume) {
   const auto d = parts.interior.rounded.size();

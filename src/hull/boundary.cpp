@@ -106,6 +106,14 @@ void Boundary::note(Index site, Outcome outcome) {
   if (was_shared_) ids_tell_of_timing_ = true;
 }
 
+void Boundary::replace_cells(const SimplicialHull& hull, std::span<const Index> planes,
+                             std::span<const Index> added, std::span<const char> is_inside) {
+  if (was_shared_) places_.add(added, sites_.size());
+  engine_->replace_cells(hull, planes);
+  for (const Index site : added) note(site, is_inside[site] != 0 ? Outcome::interior : Outcome::done);
+  ids_tell_of_timing_ = false;
+}
+
 Outcome Boundary::insert(Index site) {
   const Outcome outcome = engine_ ? engine_->insert(site + 1, invalid_index).outcome : insert_end(site);
   note(site, outcome);

@@ -29,6 +29,13 @@ class Boundary {
   /// A copy that reads the sites from another place.
   Boundary(const BoundarySites& sites, const Boundary& other);
 
+  /// Makes the cells those of the hull of more sites, which were not inserted before: `added`, and on its
+  /// boundary, or strictly inside. `planes`: for each cell the slot of a present one in the same hyperplane.
+  /// If it throws, the boundary is as it was. REQUIRES k ≥ 2, a call of hull() after the last insertion, that
+  /// no batch has begun, and cells that depend on those of hull() and on the sites alone.
+  void replace_cells(const SimplicialHull& hull, std::span<const Index> planes, std::span<const Index> added,
+                     std::span<const char> is_inside);
+
   /// Makes room for what is noted of n sites.
   void reserve(std::size_t n) { is_surely_interior_.reserve(n); }
   /// Takes note of sites that have been added, from `first` on, before they are inserted.

@@ -64,7 +64,11 @@ class Refinement {
     std::vector<std::size_t> beyond;
     std::vector<char> is_inside(sieve_.num_remaining(), 0);
     for (std::size_t i = 0; i < is_in_doubt.size(); ++i) {
-      if (is_in_doubt[i] == 0) continue;
+      if (is_in_doubt[i] == 0) {
+        // Certainly inside: an equal row may be in doubt, which is then found to be inside, too.
+        is_inside[i] = sieve_.is_in_shell(i) ? 0 : 1;
+        continue;
+      }
       const Sign side = locator.locate_from(growth.cell_of(i), point(i).data(), grid).side;
       if (side == Sign::negative) beyond.push_back(i);
       if (side == Sign::positive) is_inside[i] = 1;

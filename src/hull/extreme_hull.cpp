@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull/extreme_hull.hpp"
 
+#include "hull/box_faces.hpp"
 #include "hull/complete_shell.hpp"
 #include "hull/point_sieve.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace delone::hull {
@@ -58,11 +58,13 @@ ExtremeHull find_extreme_hull(std::span<const double> coordinates, int dimension
   ExtremeHull result{std::make_unique<HullState>(dimension), {}, {}};
   PointSieve sieve(coordinates, dimension, 0, options.threads);
   std::unique_ptr<HullState> before;
-  if (dimension > 1 && n >= least_rows) sieve.run();
+  if (dimension > 1 && n >= least_rows) {
+    const std::vector<char> is_inner = find_inner_rows_of_box_faces(coordinates, dimension, options.threads);
+    if (!is_inner.empty()) sieve.remove(is_inner);
+    sieve.run();
+  }
   if (!sieve.has_shell()) {
-    std::vector<Index> rows(n);
-    std::iota(rows.begin(), rows.end(), Index{0});
-    insert(result, coordinates, rows, options);
+    insert(result, coordinates, sieve.remaining_rows(), options);
   } else {
     const bool is_complete = complete_shell(sieve, &before);
     result.rows = sieve.shell_rows();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numeric>
 #include <utility>
 
@@ -12,13 +13,18 @@ GrowingFlat::GrowingFlat(std::vector<const double*> points, int dimension)
     : points_(std::move(points)), d_(static_cast<std::size_t>(dimension)), basis_{points_[0]} {
   // Divided by 4, and scaled to at most 1, so that nothing overflows.
   double largest = 0;
+  rests_.reserve(points_.size() * d_);
   for (const double* p : points_)
     for (std::size_t j = 0; j < d_; ++j) {
       rests_.push_back(p[j] / 4 - points_[0][j] / 4);
       largest = std::max(largest, std::fabs(rests_.back()));
     }
-  if (largest > 0)
-    for (double& x : rests_) x = std::ldexp(x, -std::ilogb(largest));
+  if (largest > 0) {
+    const int exponent = -std::ilogb(largest);
+    const bool has_scale = std::abs(exponent) < 1000;  // the same as ldexp(), faster
+    const double scale = has_scale ? std::ldexp(1.0, exponent) : 0;
+    for (double& x : rests_) x = has_scale ? x * scale : std::ldexp(x, exponent);
+  }
   find_farthest();
 }
 

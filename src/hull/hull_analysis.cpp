@@ -28,6 +28,14 @@ const PolytopeFaces& HullAnalysis::faces() const {
   });
 }
 
+/// With a tolerance all corners of cells are extreme, whatever facets these are joined to.
+std::vector<char> HullAnalysis::are_extreme() const {
+  if (tolerance_.scale.tolerance() == 0) return faces().is_extreme;
+  std::vector<char> are(state_.sites().size(), 0);
+  for (const Index site : state_.hull().cells) are[site] = 1;
+  return are;
+}
+
 const Lists& HullAnalysis::facet_sites() const {
   return facet_sites_.get([&] { return find_facet_sites(state_.hull(), faces()); });
 }
@@ -50,7 +58,7 @@ std::size_t HullAnalysis::count(PointKind kind) const {
 
 std::size_t HullAnalysis::num_extreme() const {
   if (!locator_) return state_.sites().size() > 0 ? 1 : 0;
-  const std::vector<char>& is_extreme = faces().is_extreme;
+  const std::vector<char> is_extreme = are_extreme();
   return static_cast<std::size_t>(std::count(is_extreme.begin(), is_extreme.end(), 1));
 }
 
@@ -129,7 +137,7 @@ HullCells HullAnalysis::cells() const {
   cells.cells = rows_of(hull.cells);
   cells.neighbors.assign(hull.neighbors.begin(), hull.neighbors.end());
   if (!locator_ && num_extreme() > 0) cells.vertices.push_back(state_.row(state_.basis()[0]));
-  const std::vector<char>& is_extreme = faces().is_extreme;
+  const std::vector<char> is_extreme = are_extreme();
   for (Index site = 0; locator_ && site < state_.sites().size(); ++site)
     if (is_extreme[site] != 0) cells.vertices.push_back(state_.row(site));
   std::sort(cells.vertices.begin(), cells.vertices.end());

@@ -49,6 +49,8 @@ class HullAnalysis {
   /// Empty for k < 1.
   const std::optional<HullLocator>& locator() const { return locator_; }
   const PolytopeFaces& faces() const;
+  /// By site. REQUIRES k ≥ 1.
+  std::vector<char> are_extreme() const;
   const Lists& facet_sites() const;
   std::size_t num_ridges() const;
   /// By row.

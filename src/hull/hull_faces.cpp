@@ -3,6 +3,7 @@
 
 #include "base/progress_meter.hpp"
 #include "base/random.hpp"
+#include "base/spread.hpp"
 #include "base/union_find.hpp"
 
 #include <algorithm>
@@ -132,16 +133,21 @@ struct FaceLevel {
 
 }  // namespace
 
+Lists lists_with_each(const Lists& lists, std::size_t num_items) {
+  Lists result;
+  internal::spread(num_items, result.offsets, result.items, [&](const auto& put) {
+    for (std::size_t l = 0; l < lists.size(); ++l)
+      for (const Index item : lists[l]) put(item, static_cast<Index>(l));
+  });
+  return result;
+}
+
 void list_cells_of_facets(PolytopeFaces& faces, std::size_t num_facets) {
-  const std::size_t m = faces.facet_of_cell.size();
-  std::vector<std::size_t>& offsets = faces.cells_of_facet.offsets;
-  offsets.assign(num_facets + 1, 0);
-  for (const Index f : faces.facet_of_cell) ++offsets[f + std::size_t{1}];
-  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-  std::vector<std::size_t> next(offsets.begin(), offsets.end() - 1);
-  faces.cells_of_facet.items.resize(m);
-  for (std::size_t c = 0; c < m; ++c)
-    faces.cells_of_facet.items[next[faces.facet_of_cell[c]]++] = static_cast<Index>(c);
+  internal::spread(num_facets, faces.cells_of_facet.offsets, faces.cells_of_facet.items,
+                   [&](const auto& put) {
+                     for (std::size_t c = 0; c < faces.facet_of_cell.size(); ++c)
+                       put(faces.facet_of_cell[c], static_cast<Index>(c));
+                   });
 }
 
 PolytopeFaces find_faces(const SimplicialHull& hull, std::size_t num_sites,

@@ -30,6 +30,9 @@ struct Lists {
   }
 };
 
+/// For each of the items 0 … num_items − 1, the numbers of the lists that have it, increasing.
+Lists lists_with_each(const Lists& lists, std::size_t num_items);
+
 struct PolytopeFaces {
   std::vector<Index> facet_of_cell;
   Lists cells_of_facet;          ///< increasing

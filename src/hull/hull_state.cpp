@@ -4,11 +4,12 @@
 #include "base/large_vector.hpp"
 #include "base/stopwatch.hpp"
 #include "complex/canonical_hash.hpp"
+#include "hull/box_faces.hpp"
 #include "hull/complete_shell.hpp"
 #include "hull/hull_fan.hpp"
 #include "hull/outermost_sites.hpp"
 #include "hull/point_sieve.hpp"
-#include "hull/wall_order.hpp"
+#include "hull/swept_walls.hpp"
 #include "order/insertion_order.hpp"
 
 #include <algorithm>
@@ -19,6 +20,14 @@ namespace delone::hull {
 namespace {
 
 const SimplicialHull no_cells{};
+
+/// Adds the marked rows to others, in increasing order.
+void add_marked(std::span<const char> is_marked, std::vector<Index>& rows) {
+  const auto others = static_cast<std::ptrdiff_t>(rows.size());
+  for (Index row = 0; row < is_marked.size(); ++row)
+    if (is_marked[row] != 0) rows.push_back(row);
+  std::inplace_merge(rows.begin(), rows.begin() + others, rows.end());
+}
 
 }  // namespace
 
@@ -142,6 +151,16 @@ void HullState::restart(Rollback& rollback) {
   if (affine_hull_.dimension() >= 1) make_boundary();
 }
 
+/// Adds sites of the hull to the boundary by sweeps of its walls. Returns false, and does nothing, where that
+/// cannot be done or does not pay.
+bool HullState::sweep_walls(std::span<const Index> sites, const std::function<void(std::size_t)>& tick) {
+  const auto swept = hull::sweep_walls(*this, sites, tick);
+  if (!swept) return false;
+  boundary_->replace_cells(swept->hull, swept->planes, sites, swept->is_inside);
+  tick(sites.size());
+  return true;
+}
+
 /// By as many threads as there are for it. `first`: those that were inserted before into a boundary that
 /// began with them, or none. If there are any, the order is no function of timing.
 void HullState::insert_in_threads(std::span<const Index> sites, std::span<const std::size_t> rounds,
@@ -158,17 +177,21 @@ void HullState::insert_in_threads(std::span<const Index> sites, std::span<const 
 }
 
 struct HullState::Shell {
-  std::vector<Index> sites;  ///< to begin with, if they are known
-  bool has_all = false;      ///< whether all points are in their hull
+  std::vector<Index> sites;    ///< to begin with, if they are known
+  bool has_all = false;        ///< whether all points are in their hull
+  std::vector<Index> in_hull;  ///< sites that are in the hull of all the others, on its boundary
 };
 
 /// Adds the rows of the first batch. Interior ones that a few passes find have no sites.
 HullState::Shell HullState::sieve(std::span<const double> coordinates, unsigned threads) {
   PointSieve sieve(coordinates, sites_.ambient, 0, threads);
+  const std::vector<char> is_inner = find_inner_rows_of_box_faces(coordinates, sites_.ambient, threads);
+  if (!is_inner.empty()) sieve.remove(is_inner);
   sieve.run();
   Shell shell;
   shell.has_all = sieve.has_shell() && complete_shell(sieve);
-  const std::vector<Index> remaining = sieve.remaining_rows();
+  std::vector<Index> remaining = sieve.remaining_rows();
+  if (!is_inner.empty()) add_marked(is_inner, remaining);
   const std::size_t n = coordinates.size() / ambient();
   if (remaining.size() < n) {
     std::vector<Index> interior;
@@ -182,6 +205,9 @@ HullState::Shell HullState::sieve(std::span<const double> coordinates, unsigned 
     sieved_ = SievedRows(coordinates, sites_.ambient, std::move(interior));
   }
   sites_.add_rows(coordinates, &remaining);
+  for (Index row = 0; row < is_inner.size(); ++row)
+    if (const Index site = sites_.site_of_row(row); is_inner[row] != 0 && sites_.row_of_site(site) == row)
+      shell.in_hull.push_back(site);
   for (const Index row : sieve.shell_rows()) shell.sites.push_back(sites_.site_of_row(row));
   std::sort(shell.sites.begin(), shell.sites.end());
   shell.sites.erase(std::unique(shell.sites.begin(), shell.sites.end()), shell.sites.end());
@@ -249,27 +275,32 @@ void HullState::insert_range(std::span<const double> coordinates, const Options&
       for (const Index site : basis_) is_done[site] = 1;
     const bool has_shell = !outermost.empty();
     std::erase_if(outermost, [&](Index site) { return std::exchange(is_done[site], 1) != 0; });
+    std::vector<Index> in_hull = std::move(shell.in_hull);
+    std::erase_if(in_hull, [&](Index site) { return std::exchange(is_done[site], 1) != 0; });
     std::vector<Index> others;
     for (Index site = raised ? 0 : first_site; site < sites_.size(); ++site)
       if (!is_done[site]) others.push_back(site);
     std::size_t done = 0;
-    internal::ProgressMeter progress(options.progress, outermost.size() + others.size());
+    internal::ProgressMeter progress(options.progress, outermost.size() + others.size() + in_hull.size());
     const auto tick = [&](std::size_t inserted) { progress(done + inserted); };
     boundary_->insert_all(outermost, tick);
     done = outermost.size() + others.size();
     if (has_shell) boundary_->drop_interior(others, options.threads);
     done -= others.size();
+    if (shell.has_all) {
+      others.insert(others.end(), in_hull.begin(), in_hull.end());
+      in_hull.clear();
+      if (sweep_walls(others, tick)) others.clear();
+    }
     earlier_.build_seconds += stopwatch.seconds();
 
     stopwatch.restart();
-    const bool is_by_walls = shell.has_all && order_by_walls(*this, others);
-    std::vector<std::size_t> rounds;
-    if (!is_by_walls) rounds = put_in_order(others, options);
+    const std::vector<std::size_t> rounds = put_in_order(others, options);
     earlier_.order_seconds += stopwatch.seconds();
 
     stopwatch.restart();
     // As given means in that order. Of what is approved of, cells are asked before the batch is kept.
-    if (options.order == InsertionOrder::as_given || is_by_walls || (approve && !raised) ||
+    if (options.order == InsertionOrder::as_given || (approve && !raised) ||
         !boundary_->shares_batches_of(others.size())) {
       boundary_->insert_all(others, tick);
     } else {
@@ -278,6 +309,8 @@ void HullState::insert_range(std::span<const double> coordinates, const Options&
       if (raised) first.insert(first.end(), outermost.begin(), outermost.end());
       insert_in_threads(others, rounds, options, first, tick);
     }
+    done += others.size();
+    if (!in_hull.empty() && !sweep_walls(in_hull, tick)) boundary_->insert_all(in_hull, tick);
   }
   if (approve) approve();
   earlier_.build_seconds += stopwatch.seconds();

@@ -77,6 +77,7 @@ class HullState {
   struct Shell;
   Shell sieve(std::span<const double> coordinates, unsigned threads);
   void give_sieved_rows_sites();
+  bool sweep_walls(std::span<const Index> sites, const std::function<void(std::size_t)>& tick);
   void insert_in_threads(std::span<const Index> sites, std::span<const std::size_t> rounds,
                          const Options& options, std::span<const Index> first,
                          const std::function<void(std::size_t)>& progress);

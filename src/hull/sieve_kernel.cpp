@@ -3,6 +3,7 @@
 // over a block that is in the cache.
 #include "hull/sieve_kernel.hpp"
 
+#include "base/compiled_dimension.hpp"
 #include "base/parallel_parts.hpp"
 
 #include <algorithm>
@@ -156,33 +157,12 @@ void below(const SieveTask& task) {
   });
 }
 
-template <template <std::size_t> class Run>
-void dispatch(const SieveTask& task) {
-  switch (task.functions.origin.size()) {
-    case 2:
-      return Run<2>()(task);
-    case 3:
-      return Run<3>()(task);
-    case 4:
-      return Run<4>()(task);
-    case 5:
-      return Run<5>()(task);
-    default:
-      return Run<0>()(task);
-  }
+void Extremes(const SieveTask& task) {
+  internal::with_compiled_dimension<2, 5>(task.functions.origin.size(), [&](auto d) { extremes<d()>(task); });
 }
-
-template <std::size_t D>
-struct RunExtremes {
-  void operator()(const SieveTask& task) const { extremes<D>(task); }
-};
-template <std::size_t D>
-struct RunBelow {
-  void operator()(const SieveTask& task) const { below<D>(task); }
-};
-
-void Extremes(const SieveTask& task) { dispatch<RunExtremes>(task); }
-void Below(const SieveTask& task) { dispatch<RunBelow>(task); }
+void Below(const SieveTask& task) {
+  internal::with_compiled_dimension<2, 5>(task.functions.origin.size(), [&](auto d) { below<d()>(task); });
+}
 
 }  // namespace HWY_NAMESPACE
 }  // namespace delone::hull

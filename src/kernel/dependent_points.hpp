@@ -20,4 +20,8 @@ namespace delone::kernel {
 /// 2^53. A computed difference of two multiples of 2^e that is below 2^52 units is exact.
 bool is_on_sphere_of_others(const Flat& flat, const double* const* points, const double* q);
 
+/// The same without lifts: whether it is proved that k points and a base are affinely dependent, without the
+/// one on the finest grid. For points of R^k, 2 ≤ k ≤ 6.
+bool is_flat_without_one(const Flat& flat, const double* const* points, const double* base);
+
 }  // namespace delone::kernel

@@ -29,10 +29,20 @@ inline std::int64_t determinant_exponent(const Flat& flat, const double* const* 
     return least;
   };
   std::int64_t sum = 0;
-  for (const int axis : flat.axes) sum += exponent(axis);
-  if (!has_lifts) return sum;
+  if (!has_lifts) {
+    for (const int axis : flat.axes) sum += exponent(axis);
+    return sum;
+  }
   std::int64_t of_lifts = std::numeric_limits<int>::max();
-  for (int j = 0; j < flat.ambient; ++j) of_lifts = std::min(of_lifts, 2 * exponent(j));
+  auto axis = flat.axes.begin();
+  for (int j = 0; j < flat.ambient; ++j) {
+    const std::int64_t of_column = exponent(j);
+    of_lifts = std::min(of_lifts, 2 * of_column);
+    if (axis != flat.axes.end() && *axis == j) {
+      sum += of_column;
+      ++axis;
+    }
+  }
   if (flat.weighted()) {
     const auto has_weight_of_base = [&](const double* p) { return p[flat.ambient] == base[flat.ambient]; };
     if (!std::all_of(points, points + count, has_weight_of_base))  // equal ones cancel

@@ -14,6 +14,7 @@
 #include "kernel/grid.hpp"
 #include "kernel/minors.hpp"
 #include "kernel/multiples_stage.hpp"
+#include "kernel/small_differences.hpp"
 
 #include <delone/types.hpp>
 
@@ -76,14 +77,16 @@ struct PointsOfDeterminant {
   bool has_lifts;
 };
 /// The sign of their determinant after it has been scaled by 2^−scale_exponent. The grid of all points is
-/// known; that of these takes longer.
+/// known; that of these takes longer. It is no coarser than that of the base alone, which mostly is too fine.
 inline std::optional<Sign> certified_sign(const CertifiedDeterminant& det, const PointsOfDeterminant& of,
                                           const Grid& grid, std::int64_t scale_exponent = 0) {
   const std::int64_t exponent = determinant_exponent(of.flat, grid, of.has_lifts);
   if (const auto sign = certified_sign(det, power_of_two(exponent - scale_exponent))) return sign;
-  const std::int64_t exponent_here =
-      determinant_exponent(of.flat, of.points, static_cast<std::size_t>(of.count), of.base, of.has_lifts);
-  return certified_sign(det, power_of_two(exponent_here - scale_exponent));
+  const auto exponent_of = [&](int count) {
+    return determinant_exponent(of.flat, of.points, static_cast<std::size_t>(count), of.base, of.has_lifts);
+  };
+  if (!(det.error < power_of_two(exponent_of(0) - scale_exponent))) return std::nullopt;
+  return certified_sign(det, power_of_two(exponent_of(of.count) - scale_exponent));
 }
 
 /// The sign of the determinant of N rows of N entries. REQUIRES that all minors and partial sums are exact in
@@ -132,6 +135,8 @@ std::optional<Sign> orientation_by_minors(const Flat& flat, const double* const*
   for (int i = 0; i < K; ++i) last[i] = std::fabs(a[i * K + K - 1]);
   for (const double difference : a) largest = std::max(largest, std::fabs(difference));
   if (!(largest <= moderate)) return std::nullopt;
+  if (flat.ambient == K && are_small_multiples<K>(points, K, base, largest))
+    return sign_by_exact_minors<K>(a);
   return sign_by_minors<K>(a, last, K, {flat, points, K, base, false}, grid);
 }
 
@@ -141,12 +146,14 @@ std::optional<Sign> sphere_by_minors(const Flat& flat, const double* const* poin
                                      const Grid& grid) {
   constexpr int N = K + 1;
   double a[N * N], lift_parts[N];  // |p_i − q|² + |w_i − w_q|
+  double largest_difference = 0;
   for (int i = 0; i < N; ++i) {
     double lift = 0;
     for (int r = 0; r < K; ++r) {
       const int axis = flat.axes[static_cast<std::size_t>(r)];
       const double difference = points[i][axis] - q[axis];
       a[i * N + r] = difference;
+      largest_difference = std::max(largest_difference, std::fabs(difference));
       lift += difference * difference;
     }
     if (flat.ambient != K) {
@@ -168,6 +175,8 @@ std::optional<Sign> sphere_by_minors(const Flat& flat, const double* const* poin
   double largest = 0;
   for (const double part : lift_parts) largest = std::max(largest, part);
   if (!(largest <= moderate * moderate)) return std::nullopt;
+  if (flat.ambient == K && !flat.weighted() && are_small_multiples<K>(points, N, q, largest_difference))
+    return sign_by_exact_minors<N>(a);
   return sign_by_minors<N>(a, lift_parts, K + flat.ambient + 3, {flat, points, N, q, true}, grid);
 }
 
@@ -300,6 +309,7 @@ std::optional<Sign> direct_orientation(const Flat& flat, const double* const* po
   else
     sign = detail::orientation_by_elimination<K>(flat, points, base, grid);
   if (sign) return sign;
+  if (is_flat_without_one(flat, points, base)) return Sign::zero;
   if (const auto of_multiples = orientation_of_multiples(flat.axes, points, base)) return of_multiples;
   return double_double_orientation(flat, points, base);
 }

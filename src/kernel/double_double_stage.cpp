@@ -7,6 +7,7 @@
 #include "kernel/double_double_determinant.hpp"
 
 #include "base/compiled_dimension.hpp"
+#include "kernel/determinant.hpp"
 #include "kernel/determinant_grid.hpp"
 #include "kernel/direct.hpp"
 #include "kernel/double_double.hpp"
@@ -45,26 +46,28 @@ struct Rows {
   }
 };
 
-/// The sign of a determinant on a grid, of entries that are off by `roundings` roundings.
-template <int N>
-std::optional<Sign> sign_by_minors(const Rows& rows, double roundings, double grid_unit) {
-  const double value = determinant_by_minors<N>(rows.entries).high;
-  if (!std::isfinite(value)) return std::nullopt;
-  const double permanent = determinant_by_minors<N>(rows.parts).value;
-  const double error = 1.01 * (roundings + N * (N + 1) / 2) * rounding_error * permanent + scaled_underflow +
-                       unit_roundoff * std::fabs(value);  // the low part
-  return detail::certified_sign(value, error, grid_unit);
+/// The determinant of entries that are off by `roundings` roundings. REQUIRES 1 to 6 rows.
+CertifiedDeterminant determinant_of(const Rows& rows, double roundings) {
+  return internal::with_compiled_dimension<1, most_columns>(rows.n, [&](auto n) {
+    constexpr int N = n();
+    CertifiedDeterminant det;
+    if constexpr (N > 0) {
+      const double value = determinant_by_minors<N>(rows.entries).high;
+      if (!std::isfinite(value)) return det;
+      const double permanent = determinant_by_minors<N>(rows.parts).value;
+      det.value = value;
+      det.error = 1.01 * (roundings + N * (N + 1) / 2) * rounding_error * permanent + scaled_underflow +
+                  unit_roundoff * std::fabs(value);  // the low part
+    }
+    return det;
+  });
 }
 
-/// The same for a grid of 2^unit_exponent. REQUIRES 1 to 6 rows.
-std::optional<Sign> sign_of(const Rows& rows, double roundings, std::int64_t unit_exponent) {
-  const double grid_unit = detail::power_of_two(unit_exponent);
-  return internal::with_compiled_dimension<1, most_columns>(rows.n, [&](auto n) -> std::optional<Sign> {
-    if constexpr (n() == 0)
-      return std::nullopt;
-    else
-      return sign_by_minors<n()>(rows, roundings, grid_unit);
-  });
+/// Its sign, if it is a multiple of 2^unit_exponent(), which takes time and is asked for only if it matters.
+template <class UnitExponent>
+std::optional<Sign> sign_of(const CertifiedDeterminant& det, UnitExponent unit_exponent) {
+  if (const auto sign = detail::certified_sign(det, 0)) return sign;
+  return detail::certified_sign(det, detail::power_of_two(unit_exponent()));
 }
 
 /// The largest |p_i − base| along an axis.
@@ -92,23 +95,24 @@ std::optional<Sign> orientation_by_minors(const Flat& flat, const double* const*
     if (largest[r] == 0) return Sign::zero;  // binary64 differences vanish only when they are exactly zero
     if (!(largest[r] < largest_difference)) return std::nullopt;
   }
-  std::int64_t unit_exponent = determinant_exponent(flat, points, rows.n, base, false);
+  std::int64_t scale_exponent = 0;
   for (std::size_t r = 0; r < rows.n; ++r)
-    unit_exponent -= fill(rows, r, flat.axes[r], points, base, largest[r]);
-  return sign_of(rows, 0, unit_exponent);
+    scale_exponent += fill(rows, r, flat.axes[r], points, base, largest[r]);
+  return sign_of(determinant_of(rows, 0),
+                 [&] { return determinant_exponent(flat, points, rows.n, base, false) - scale_exponent; });
 }
 
 std::optional<Sign> sphere_by_minors(const Flat& flat, const double* const* points, const double* q) {
   const std::size_t k = flat.axes.size();
   Rows rows(k + 1);
   if (rows.n > most_columns) return std::nullopt;
-  std::int64_t unit_exponent = determinant_exponent(flat, points, rows.n, q, true);
+  std::int64_t scale_exponent = 0;
   for (std::size_t r = 0; r < k; ++r) {
     const int axis = flat.axes[r];
     const double largest = extent(rows.n, axis, points, q);
     if (largest == 0) return Sign::zero;  // binary64 differences vanish only when they are exactly zero
     if (!(largest < largest_difference)) return std::nullopt;
-    unit_exponent -= fill(rows, r, axis, points, q, largest);
+    scale_exponent += fill(rows, r, axis, points, q, largest);
   }
   double largest = 0;
   for (int j = 0; j < flat.ambient; ++j) largest = std::max(largest, extent(rows.n, j, points, q));
@@ -133,7 +137,9 @@ std::optional<Sign> sphere_by_minors(const Flat& flat, const double* const* poin
     rows.entries[i * rows.n + k] = lift - weight;
     rows.parts[i * rows.n + k].value += std::fabs(weight.high);
   }
-  return sign_of(rows, flat.ambient + 1, unit_exponent - 2 * exponent);
+  scale_exponent += 2 * exponent;
+  return sign_of(determinant_of(rows, flat.ambient + 1),
+                 [&] { return determinant_exponent(flat, points, rows.n, q, true) - scale_exponent; });
 }
 
 }  // namespace
@@ -157,7 +163,7 @@ std::optional<Sign> double_double_determinant(std::span<const int> axes, const d
     for (std::size_t c = 0; c < axes.size(); ++c) scaled_rows.set(i, c, {rows[i][axes[c]] * scale, 0.0});
     unit_exponent += unit - exponent;
   }
-  return sign_of(scaled_rows, 0, unit_exponent);
+  return sign_of(determinant_of(scaled_rows, 0), [&] { return unit_exponent; });
 }
 
 std::optional<Sign> double_double_orientation(const Flat& flat, const double* const* points,

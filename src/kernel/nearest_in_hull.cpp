@@ -183,8 +183,8 @@ void NearestInHull::descend() {
   on_face_.assign(1, 1.0);
   minimize_on_face();
   normal_kept_ = normal_;
-  std::vector<int> best_face = face_;
-  std::vector<double> best_weights = on_face_;
+  best_face_ = face_;
+  best_weights_ = on_face_;
   const auto steps = 3 * m_ + 20;
   for (std::size_t step = 0; step < steps; ++step) {
     // The normal is z up to rounding.
@@ -224,13 +224,13 @@ void NearestInHull::descend() {
     }
     const bool is_nearer = moved && dot(normal_.data(), normal_.data(), d_) < square;
     if (!is_nearer) {
-      face_ = best_face;
-      on_face_ = best_weights;
+      face_ = best_face_;
+      on_face_ = best_weights_;
       break;
     }
     normal_kept_ = normal_;
-    best_face = face_;
-    best_weights = on_face_;
+    best_face_ = face_;
+    best_weights_ = on_face_;
   }
 }
 
@@ -260,7 +260,9 @@ void NearestInHull::set_bounds() {
   if (largest == 0) return;
   int exponent = 0;
   std::frexp(largest, &exponent);
-  for (double& x : normal_kept_) x = std::ldexp(x, -exponent);
+  const bool has_scale = std::abs(exponent) < 1000;  // the same as ldexp(), faster
+  const double scale = has_scale ? std::ldexp(1.0, -exponent) : 0;
+  for (double& x : normal_kept_) x = has_scale ? x * scale : std::ldexp(x, -exponent);
   const double dot_rounding = 1.01 * (dimension + 3) * unit_roundoff;
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < m_; ++i) {

@@ -68,6 +68,8 @@ class NearestInHull {
   bool has_underflow_ = false;       // whether some of them are inexact beyond rounding
   std::vector<int> face_;
   std::vector<double> on_face_;  // weights of face_
+  std::vector<int> best_face_;   // those of the nearest point so far
+  std::vector<double> best_weights_;
   std::vector<double> minimum_;  // weights of the point of the face's flat nearest to q
   std::vector<double> normal_;   // from q to that point, orthogonal to the flat
   std::vector<double> basis_, triangle_, point_, normal_kept_, weights_;

@@ -8,6 +8,7 @@
 #include "kernel/exact.hpp"
 #include "kernel/flat.hpp"
 #include "kernel/grid.hpp"
+#include "kernel/small_differences.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -128,18 +129,7 @@ Sign perturbed_in_sphere_on_grid(const double* const* points, const double* q, c
       keys[i] += differences[i][r] * grid.key_weight(r);
     }
   }
-  for (;;) {
-    int largest = 0;
-    for (int i = 1; i <= K; ++i) largest = keys[i] > keys[largest] ? i : largest;
-    if (!(keys[largest] > 0)) return Sign::positive;
-    // The orientation with q in place of that point, which takes as many exchanges to come first.
-    double others[K * K];
-    for (int i = 0; i < K; ++i)
-      for (int r = 0; r < K; ++r) others[i * K + r] = differences[i + (i >= largest)][r];
-    const double volume = determinant_by_minors<K>(others);
-    if (volume != 0) return (volume > 0) == (largest % 2 == 0) ? Sign::negative : Sign::positive;
-    keys[largest] = 0;
-  }
+  return perturbed_in_sphere_of_differences<K>(differences, keys);
 }
 
 /// The tie-break of Devillers and Teillaud (2011, doi:10.1016/j.comgeo.2010.09.010) for a q exactly on the
@@ -153,8 +143,11 @@ Sign perturbed_in_sphere_on_grid(const double* const* points, const double* q, c
 template <int K>
 Sign perturbed_in_sphere(const Flat& flat, const double* const* points, const double* q, const Grid& grid) {
   const int k = K > 0 ? K : flat.dimension();
-  if constexpr (tabulates_minors<K>)
+  if constexpr (tabulates_minors<K>) {
     if (flat.ambient == k && grid.is_small()) return perturbed_in_sphere_on_grid<K>(points, q, grid);
+    if (flat.ambient == k && !flat.weighted())
+      if (const auto sign = perturbed_in_sphere_of_small<K>(points, q)) return *sign;
+  }
   return largest_point_decides<K>(points, k + 1, q, flat.ambient, grid, [&](const double* const* moved) {
     return orientation<K>(flat, moved, grid);
   });

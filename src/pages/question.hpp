@@ -37,14 +37,24 @@
 #pragma once
 
 #include "kernel/buffer.hpp"
+#include "kernel/predicates.hpp"
 #include "pages/question_kernel.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
 
 namespace delone::pages {
+
+/// The exact answer of a finite cell: whether x is inside its sphere, ties perturbed. A point that equals a
+/// corner is not.
+inline bool is_in_sphere(const kernel::Flat& flat, std::span<const double* const> corners, const double* x) {
+  for (const double* corner : corners)
+    if (std::equal(corner, corner + flat.row_size(), x)) return false;
+  return kernel::in_sphere_perturbed(flat, corners, kernel::orientation(flat, corners), x) == Sign::negative;
+}
 
 enum class QuestionSide { outside, inside, unsure };
 

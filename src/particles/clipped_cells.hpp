@@ -63,8 +63,4 @@ class CellClipper {
   std::vector<double> vertices_;
 };
 
-/// Throws Errc::invalid_argument unless box and halfspaces are d finite numbers low < high, and rows of d + 1
-/// finite numbers with a ≠ 0; unsupported for d > 12.
-void check_container(const Container& container, int dimension);
-
 }  // namespace delone::particles

@@ -3,6 +3,7 @@
 
 #include "base/parallel_parts.hpp"
 #include "base/quick_rounds.hpp"
+#include "base/spread.hpp"
 #include "kernel/predicates.hpp"
 
 #include <algorithm>
@@ -72,17 +73,13 @@ SphereClasses::SphereClasses(const Stars& stars, const sites::VertexPoints& poin
 }
 
 void ProperFaces::find(const Star& star) {
-  const std::size_t n = star.neighbors().size(), num_cells = star.num_cells();
+  const std::size_t n = star.neighbors().size();
   // The cells at each edge.
   num_classes_.assign(n, 0);
-  offsets_.assign(n + 1, 0);
-  for (std::size_t c = 0; c < num_cells; ++c)
-    for (const std::uint32_t slot : star.slots_of(c)) ++offsets_[slot + 1];
-  for (std::size_t i = 0; i < n; ++i) offsets_[i + 1] += offsets_[i];
-  next_.assign(offsets_.begin(), offsets_.end() - 1);
-  at_edge_.resize(offsets_[n]);
-  for (std::size_t c = 0; c < num_cells; ++c)
-    for (const std::uint32_t slot : star.slots_of(c)) at_edge_[next_[slot]++] = static_cast<std::uint32_t>(c);
+  internal::spread(n, offsets_, at_edge_, [&](const auto& put) {
+    for (std::size_t c = 0; c < star.num_cells(); ++c)
+      for (const std::uint32_t slot : star.slots_of(c)) put(slot, static_cast<std::uint32_t>(c));
+  });
   const auto count_distinct = [&] {
     std::sort(found_.begin(), found_.end());
     return static_cast<std::size_t>(std::unique(found_.begin(), found_.end()) - found_.begin());

@@ -46,7 +46,7 @@ class ProperFaces {
 
  private:
   const SphereClasses& classes_;
-  std::vector<std::uint32_t> num_classes_, offsets_, next_, at_edge_;
+  std::vector<std::uint32_t> num_classes_, offsets_, at_edge_;
   std::vector<std::pair<std::uint32_t, Index>> others_;  // slots and classes
   std::vector<Index> found_;
 };

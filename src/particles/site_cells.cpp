@@ -417,7 +417,7 @@ SiteCells site_cells(const Triangulation& triangulation, const SiteCellsOptions&
     throw Error(Errc::invalid_argument, "cells of sites are those of a Delaunay or regular triangulation");
   particles::require_supported(triangulation);
   if (options.box)
-    particles::check_container({*options.box, options.halfspaces}, triangulation.dimension());
+    voronoi::require_container(*options.box, options.halfspaces, triangulation.dimension());
   else
     particles::refuse_halfspaces(options);
   return internal::guarded("the cells of sites", [&] {

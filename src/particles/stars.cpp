@@ -4,12 +4,11 @@
 #include "particles/stars.hpp"
 
 #include "base/compiled_dimension.hpp"
-#include "base/large_vector.hpp"
 #include "base/quick_rounds.hpp"
+#include "base/spread.hpp"
 #include "kernel/buffer.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace delone::particles {
@@ -38,21 +37,15 @@ bool Stars::has(CellId cell) const {
 template <int K>
 void Stars::fill() {
   const std::size_t size = number_of<K>(k_) + 1;
-  offsets_.assign(complex_.num_vertex_slots() + 2, 0);
-  const auto for_incidences = [&](auto visit) {
+  internal::spread(complex_.num_vertex_slots(), offsets_, cells_, [&](const auto& put) {
     internal::QuickRounds round;
     for (const CellId c : complex_.all_cells()) {
       round();
       const VerticesOfCell vertices = complex_.vertices(c);
       for (std::size_t i = 0; i < size; ++i)
-        if (const Index v = index(vertices[i]); is_wanted(v)) visit(v, c);
+        if (const Index v = index(vertices[i]); is_wanted(v)) put(v, c);
     }
-  };
-  // Entry v + 1 becomes the place of the next cell of v, and at the end that of the first one of v + 1.
-  for_incidences([&](Index v, CellId) { ++offsets_[v + 2]; });
-  std::partial_sum(offsets_.begin(), offsets_.end(), offsets_.begin());
-  internal::resize_large(cells_, offsets_.back());
-  for_incidences([&](Index v, CellId c) { cells_[offsets_[v + 1]++] = c; });
+  });
 }
 
 void Star::find(Index v) {

@@ -38,6 +38,16 @@ class Extent {
   double weight_range() const { return weight_range_; }
   /// What fractions of points of the set are off by at most.
   double fraction_slack(std::size_t i) const { return fraction_slack_[i]; }
+  /// Fraction i of an image in a ball, as it is computed, lies between these.
+  struct Range {
+    double low, high;
+  };
+  Range fractions_in_ball(std::size_t i, const double* center, double radius) const {
+    const double middle = set_.period.fraction(i, center),
+                 width = radius * set_.period.gradient_length(i) * (1 + 0x1p-40) +
+                         set_.period.fraction_slack(i, center) + 2 * fraction_slack(i);
+    return {middle - width, middle + width};
+  }
 
   /// Orthonormal directions that span the lattice, nearly: direction i that of a_0 … a_i, and zero where they
   /// are too flat for it. And the range of the points of the set along each.

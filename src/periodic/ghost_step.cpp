@@ -44,10 +44,7 @@ class GhostTriangulation::Step {
     if (!is_of_one_kind() || !find_translations() || !find_known() || !name_rows() || !is_promising())
       return false;
     has_begun_ = true;
-    if (from_.delaunay_)
-      to_.delaunay_.emplace(from_.delaunay_->clone());
-    else
-      to_.regular_.emplace(from_.regular_->clone());
+    to_.made_.emplace(from_.made_->clone());
     if (!move_rows()) return false;
     insert_missing();
     if (!has_few_ghosts()) return false;
@@ -208,8 +205,7 @@ class GhostTriangulation::Step {
     if (rows.empty()) return true;
     construction::RowEdits edits{.move = rows, .to = points, .weights = weights};
     if (set_.weighted) edits.reweight = rows;
-    Triangulation& t = to_.delaunay_ ? static_cast<Triangulation&>(*to_.delaunay_) : *to_.regular_;
-    return triangulation::StoredPoints::edit_in_place(t, edits);
+    return triangulation::StoredPoints::edit_in_place(to_.made_->get(), edits);
   }
 
   /// Points that no row of the triangulation is, and images of far points that are to be known.
@@ -238,7 +234,7 @@ class GhostTriangulation::Step {
     std::vector<double> x(set_.row_size());
     for (const Image& image : missing) {
       images_.copy_image(image, x.data());
-      to_.insert_row(x, std::nullopt);
+      to_.made_->insert_row(x, std::nullopt);
       to_.image_of_row_.push_back(image);
     }
   }

@@ -7,7 +7,6 @@
 #include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
 #include "base/quick_rounds.hpp"
-#include "base/stopwatch.hpp"
 #include "kernel/predicates.hpp"
 #include "periodic/image_search.hpp"
 #include "periodic/quick_ball.hpp"
@@ -67,6 +66,7 @@ class GhostTriangulation::Asking {
         complex_(ghosts.triangulation().complex()),
         points_(triangulation::StoredPoints::of(ghosts.triangulation())),
         axes_(ghosts.triangulation().axes()),
+        flat_{points_.ambient, axes_, points_.form},
         d_(set_.dimension),
         k_(axes_.size()),
         finder_(static_cast<int>(d_), axes_, is_aligned(set_, axes_)),
@@ -226,8 +226,8 @@ class GhostTriangulation::Asking {
       if (is_in_known(center, bound_of_radius(spoke.own, center))) continue;
       ++num_questions;
       const std::span<const double* const> corners(corners_.data() + i * (k_ + 1), k_ + 1);
-      const FoundImage found =
-          search_.find(spoke.own, center, [&](const double* x) { return is_in_sphere(corners, x); });
+      const FoundImage found = search_.find(
+          spoke.own, center, [&](const double* x) { return pages::is_in_sphere(flat_, corners, x); });
       if (!found.is_open) continue;
       ghosts_.found_.push_back({images_.image_at(found.shift, found.place), found.place, spoke.cell});
     }
@@ -250,22 +250,10 @@ class GhostTriangulation::Asking {
   /// Whether all images that the ball may contain are known.
   bool is_in_known(const double* center, double radius) const {
     for (std::size_t i = 0; i < set_.rank; ++i) {
-      const double middle = set_.period.fraction(i, center),
-                   width = radius * set_.period.gradient_length(i) * (1 + 0x1p-40) +
-                           set_.period.fraction_slack(i, center) + 2 * images_.extent().fraction_slack(i);
-      if (!(middle - width > -images_.known_below(i) && middle + width < 1 + images_.known_above(i)))
-        return false;
+      const Extent::Range range = images_.extent().fractions_in_ball(i, center, radius);
+      if (!(range.low > -images_.known_below(i) && range.high < 1 + images_.known_above(i))) return false;
     }
     return true;
-  }
-
-  bool is_in_sphere(std::span<const double* const> corners, const double* x) const {
-    const std::size_t width = set_.row_size();
-    for (const double* corner : corners)
-      if (std::equal(corner, corner + width, x)) return false;
-    const kernel::Flat flat{points_.ambient, axes_, points_.form};
-    return kernel::in_sphere_perturbed(flat, corners, kernel::orientation(flat, corners), x) ==
-           Sign::negative;
   }
 
   void ask_beyond(CellId cell, VertexId own, const double* p) {
@@ -276,11 +264,10 @@ class GhostTriangulation::Asking {
     const CellId behind = complex_.neighbor(cell, infinite);
     const double* const inner =
         points_.point(index(complex_.vertex(behind, complex_.mirror_index(cell, infinite))));
-    const kernel::Flat flat{points_.ambient, axes_, points_.form};
     std::vector<double> x(p, p + set_.row_size());
     for (std::size_t i = 0; i < set_.rank; ++i) {
       for (std::size_t j = 0; j < d_; ++j) x[j] = p[j] + set_.period.vector(i)[j];
-      const Sign side = kernel::hull_side(flat, facet_, inner, x.data());
+      const Sign side = kernel::hull_side(flat_, facet_, inner, x.data());
       if (side == Sign::zero) continue;
       std::vector<std::int32_t> k(set_.rank, 0);
       k[i] = side == Sign::negative ? 1 : -1;
@@ -295,6 +282,7 @@ class GhostTriangulation::Asking {
   const Complex complex_;
   const sites::VertexPoints& points_;
   const std::vector<int> axes_;
+  const kernel::Flat flat_;
   const std::size_t d_, k_;
   solve::CenterFinder finder_;
   ImageSearch<D, Images> search_;
@@ -319,23 +307,14 @@ GhostTriangulation::GhostTriangulation(const PeriodicSet& set, const GhostTriang
 
 void GhostTriangulation::construct(const Options& options) {
   images_.forget_known();
-  delaunay_.reset();
-  regular_.reset();
-  if (set_.weighted)
-    regular_.emplace(static_cast<int>(set_.dimension), options);
-  else
-    delaunay_.emplace(static_cast<int>(set_.dimension), options);
+  made_.emplace(static_cast<int>(set_.dimension), set_.weighted, options);
   if (set_.num_points() == 0) return;
   begin();
   ask_and_insert(std::numeric_limits<std::size_t>::max());
   num_constructed_ = image_of_row_.size();
   constructed_below_ = images_.known_below();
   constructed_above_ = images_.known_above();
-  // Vertices and cells do not depend on threads.
-  if (delaunay_)
-    delaunay_->sort_cells();
-  else
-    regular_->sort_cells();
+  made_->get().sort_cells();  // vertices and cells do not depend on threads
 }
 
 /// Asks until nothing is found. Returns false, and is not done, as soon as more images than `most_found` are
@@ -345,15 +324,11 @@ bool GhostTriangulation::ask_and_insert(std::size_t most_found) {
   while (set_.rank > 0) {
     ++effort_.num_rounds;
     found_.clear();
-    const internal::Stopwatch asking;
     ask();
-    effort_.ask_seconds += asking.seconds();
     if (found_.empty()) break;
     num_found += found_.size();
     if (num_found > most_found) return false;
-    const internal::Stopwatch insertion;
     insert_found();
-    effort_.later_seconds += insertion.seconds();
   }
   effort_.num_ghosts = image_of_row_.size() - set_.num_points();
   return true;
@@ -361,7 +336,6 @@ bool GhostTriangulation::ask_and_insert(std::size_t most_found) {
 
 /// The points of the set, the frame and the layer.
 void GhostTriangulation::begin() {
-  const internal::Stopwatch insertion;
   const std::size_t n = set_.num_points(), width = set_.row_size();
   own_row_.resize(n);
   std::iota(own_row_.begin(), own_row_.end(), std::uint32_t{0});
@@ -380,23 +354,10 @@ void GhostTriangulation::begin() {
   rows.resize(image_of_row_.size() * width);
   for (std::size_t i = n; i < image_of_row_.size(); ++i)
     images_.copy_image(image_of_row_[i], &rows[i * width]);
-  insert_rows(std::move(rows));
+  made_->insert_rows(std::move(rows));
   image_of_vertex_.clear();
   num_rows_done_ = 0;
   enter_vertices();
-  effort_.insert_seconds = insertion.seconds();
-}
-
-/// Rows of points with weights, where there are any, in bulk.
-void GhostTriangulation::insert_rows(std::vector<double> rows) {
-  if (delaunay_) return delaunay_->insert_range(std::move(rows));
-  const std::size_t d = set_.dimension;
-  std::vector<double> coordinates, weights;
-  for (std::size_t at = 0; at < rows.size(); at += set_.row_size()) {
-    coordinates.insert(coordinates.end(), &rows[at], &rows[at] + d);
-    weights.push_back(rows[at + d]);
-  }
-  regular_->insert_range(std::move(coordinates), weights);
 }
 
 VertexId GhostTriangulation::id_of_row(std::size_t row) const {
@@ -463,7 +424,8 @@ void GhostTriangulation::insert_found() {
       internal::cancellation_point();
       images_.copy_image(one.image, row.data());
       // The cell may have gone. Then another one is in its place, or none.
-      insert_row(row, triangulation().complex().is_cell(one.cell) ? std::optional(one.cell) : std::nullopt);
+      made_->insert_row(row,
+                        triangulation().complex().is_cell(one.cell) ? std::optional(one.cell) : std::nullopt);
     }
   } else {
     std::vector<double> rows;
@@ -471,18 +433,9 @@ void GhostTriangulation::insert_found() {
       images_.copy_image(one.image, row.data());
       rows.insert(rows.end(), row.begin(), row.end());
     }
-    insert_rows(std::move(rows));
+    made_->insert_rows(std::move(rows));
   }
   enter_vertices();
-}
-
-/// Inserts a point, with its weight if it has one.
-void GhostTriangulation::insert_row(std::span<const double> row, std::optional<CellId> near) {
-  const std::span<const double> point = row.first(set_.dimension);
-  if (delaunay_)
-    delaunay_->insert(point, near);
-  else
-    regular_->insert(point, row.back(), near);
 }
 
 }  // namespace delone::periodic

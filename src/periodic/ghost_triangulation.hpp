@@ -11,10 +11,9 @@
 #pragma once
 
 #include "periodic/images.hpp"
+#include "triangulation/row_triangulation.hpp"
 
-#include <delone/delaunay.hpp>
 #include <delone/options.hpp>
-#include <delone/regular.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -29,7 +28,6 @@ namespace delone::periodic {
 struct GhostEffort {
   std::size_t num_ghosts = 0, num_rounds = 0;
   std::uint64_t questions = 0, pages = 0;
-  double insert_seconds = 0, ask_seconds = 0, later_seconds = 0;
 };
 
 class GhostTriangulation {
@@ -43,9 +41,7 @@ class GhostTriangulation {
   GhostTriangulation& operator=(const GhostTriangulation&) = delete;
 
   /// Its rows are points of the set and ghosts, in any order.
-  const Triangulation& triangulation() const {
-    return delaunay_ ? static_cast<const Triangulation&>(*delaunay_) : *regular_;
-  }
+  const Triangulation& triangulation() const { return made_->get(); }
   /// Of a finite vertex: the first row of the set at its point, and the shift; 0 for a point of the set.
   const Image& image_of(VertexId v) const { return image_of_vertex_[index(v)]; }
   /// The vertex at a point of the set; invalid_vertex if it is hidden.
@@ -77,16 +73,13 @@ class GhostTriangulation {
   bool ask_and_insert(std::size_t most_found);
   void ask();
   void insert_found();
-  void insert_rows(std::vector<double> rows);
-  void insert_row(std::span<const double> row, std::optional<CellId> near);
   bool step_from(const GhostTriangulation& before);
   void enter_vertices();
 
   const PeriodicSet& set_;
   unsigned threads_;  // as Options::threads
   Images images_;
-  std::optional<Delaunay<>> delaunay_;
-  std::optional<Regular<>> regular_;
+  std::optional<triangulation::RowTriangulation> made_;
   std::vector<Image> image_of_row_;     // by row of the triangulation
   std::vector<std::uint32_t> own_row_;  // the row of the triangulation of each point of the set
   std::vector<Image> image_of_vertex_;  // by vertex id

@@ -192,14 +192,8 @@ void PeriodicBatch::run(const Execution& how, const std::function<void()>& work)
   });
 }
 
-void PeriodicBatch::refuse(std::size_t query) const {
-  if (options_.outside == Outside::error)
-    throw Error(Errc::invalid_argument,
-                "query " + std::to_string(query) + " is outside the convex hull of the points", {query});
-}
-
 void PeriodicBatch::value_outside(std::size_t query) {
-  refuse(query);
+  queries::refuse_outside(options_, query);
   is_outside_[query] = 1;
   const std::span<double> to = at(query);
   for (std::size_t c = 0; c < to.size(); ++c)
@@ -207,7 +201,7 @@ void PeriodicBatch::value_outside(std::size_t query) {
 }
 
 void PeriodicBatch::gradient_outside(std::size_t query) const {
-  refuse(query);
+  queries::refuse_outside(options_, query);
   std::ranges::fill(at(query),
                     options_.outside == Outside::nearest ? 0.0 : std::numeric_limits<double>::quiet_NaN());
 }

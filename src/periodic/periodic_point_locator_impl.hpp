@@ -59,8 +59,6 @@ class PeriodicBatch {
   void take_nearest(std::span<const double> values, unsigned threads) const;
 
  private:
-  void refuse(std::size_t query) const;
-
   const PeriodicPointLocator::Impl& locator_;
   std::span<const double> queries_;
   std::span<double> result_;

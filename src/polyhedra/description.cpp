@@ -173,6 +173,15 @@ Description from_minimal_rows(Rows facets, const Rows& equations, Rows generator
   return result;
 }
 
+BitRows Description::incidence_with_infinity() const {
+  BitRows sets(generators.size(), facets.size() + 1);
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    std::copy(incidence[i].begin(), incidence[i].end(), sets[i].begin());
+    if (i >= num_vertices) insert(sets[i], facets.size());
+  }
+  return sets;
+}
+
 bool includes(const Description& whole, const Description& part) {
   if (part.is_empty()) return true;
   if (whole.is_empty()) return false;

@@ -28,6 +28,8 @@ struct Description {
   Rows lines;
   BitRows incidence;  ///< for each generator the facets that it lies on
 
+  /// The same with one more number, that of facets, for infinity, on which rays lie.
+  BitRows incidence_with_infinity() const;
   bool is_empty() const { return num_vertices == 0; }
   std::size_t num_rays() const { return generators.size() - num_vertices; }
   std::size_t width() const { return dimension + 1; }

@@ -49,11 +49,7 @@ std::vector<std::size_t> count_upwards(const Description& own) {
   const auto k = static_cast<std::size_t>(own.affine_dimension());
   std::vector<std::size_t> counts(k, 0);
   const std::size_t infinity = own.facets.size();
-  BitRows sets(own.generators.size(), infinity + 1);
-  for (std::size_t i = 0; i < sets.size(); ++i) {
-    std::copy(own.incidence[i].begin(), own.incidence[i].end(), sets[i].begin());
-    if (i >= own.num_vertices) insert(sets[i], infinity);
-  }
+  const BitRows sets = own.incidence_with_infinity();
   FaceSet level{full_set(infinity + 1, sets.words())};
   for (std::size_t j = own.lines.size(); j < k; ++j) {
     level = next_level(level, sets, {});

@@ -289,17 +289,11 @@ std::vector<std::size_t> Polyhedron::rays_of_facet(std::size_t facet) const {
 Pairs Polyhedron::adjacent_vertices() const {
   return internal::guarded("the edges", [&] {
     const Description& own = impl_->description;
-    const std::size_t infinity = own.facets.size();
-    BitRows sets(own.generators.size(), infinity + 1);
-    for (std::size_t i = 0; i < sets.size(); ++i) {
-      std::copy(own.incidence[i].begin(), own.incidence[i].end(), sets[i].begin());
-      if (i >= own.num_vertices) polyhedra::insert(sets[i], infinity);
-    }
     if (own.is_empty()) return Pairs();
     const auto cone_dimension = static_cast<std::size_t>(own.affine_dimension()) + 1 - own.lines.size();
-    return adjacent_pairs(sets, infinity + 1, cone_dimension, [&](std::uint32_t i, std::uint32_t j) {
-      return i < own.num_vertices && j < own.num_vertices;
-    });
+    return adjacent_pairs(
+        own.incidence_with_infinity(), own.facets.size() + 1, cone_dimension,
+        [&](std::uint32_t i, std::uint32_t j) { return i < own.num_vertices && j < own.num_vertices; });
   });
 }
 

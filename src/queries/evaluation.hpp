@@ -74,17 +74,35 @@ inline LocateOptions locate_options(const EvaluateOptions& options) {
   return {.tolerance = options.tolerance, .project = options.outside == Outside::project};
 }
 
-/// The answers of queries that location leaves outside, `width` numbers each. Several threads may call
-/// value() and gradient().
-class OutsideAnswers {
- public:
-  /// `queries`: of d coordinates each.
-  OutsideAnswers(const EvaluateOptions& options, std::span<const double> queries, std::size_t d,
-                 std::size_t width)
-      : options_(options), queries_(queries), d_(d), width_(width) {}
+/// Throws if queries outside are errors.
+inline void refuse_outside(const EvaluateOptions& options, std::size_t query) {
+  if (options.outside == Outside::error)
+    throw Error(Errc::invalid_argument,
+                "query " + std::to_string(query) + " is outside the convex hull of the points", {query});
+}
 
-  void value(std::size_t query, double* at) {
-    refuse(query);
+/// The answers to some queries, `width` numbers each, and those outside. Several threads may put answers.
+class Answers {
+ public:
+  /// `queries`: of d coordinates each. Throws unless `result` has room for the answers and no more.
+  Answers(std::span<const double> queries, std::size_t d, std::span<double> result, std::size_t width,
+          const EvaluateOptions& options, const Execution& how)
+      : options_(options),
+        queries_(queries),
+        result_(result),
+        d_(d),
+        width_(width),
+        progress_(how.progress, queries.size() / d) {
+    require_size(result.size(), queries.size() / d * width, "the result");
+  }
+
+  double* at(std::size_t query) const { return result_.data() + query * width_; }
+  /// For one thread.
+  Meter meter() { return Meter(progress_); }
+
+  /// REQUIRES answers that are values.
+  void put_value_outside(std::size_t query) {
+    refuse_outside(options_, query);
     if (options_.outside == Outside::nearest) {
       const std::lock_guard lock(mutex_);
       beyond_.push_back(query);
@@ -92,38 +110,32 @@ class OutsideAnswers {
       coordinates_.insert(coordinates_.end(), q, q + d_);
     }
     if (options_.fill.empty())
-      std::fill_n(at, width_, std::numeric_limits<double>::quiet_NaN());
+      std::fill_n(at(query), width_, std::numeric_limits<double>::quiet_NaN());
     else
-      std::copy_n(options_.fill.begin(), width_, at);
+      std::copy_n(options_.fill.begin(), width_, at(query));
   }
-  void gradient(std::size_t query, double* at) const {
-    refuse(query);
-    std::fill_n(at, width_,
+  void put_gradient_outside(std::size_t query) const {
+    refuse_outside(options_, query);
+    std::fill_n(at(query), width_,
                 options_.outside == Outside::nearest ? 0.0 : std::numeric_limits<double>::quiet_NaN());
   }
   /// Replaces the values of those that get the one at the nearest vertex. `values`: by vertex id.
-  void finish(const PointLocator& locator, std::span<const double> values, std::span<double> result,
-              unsigned threads) const {
+  void finish(const PointLocator& locator, std::span<const double> values, unsigned threads) const {
     if (beyond_.empty()) return;
     locator.nearest(coordinates_,
                     [&](std::size_t i, VertexId v) {
                       if (v != invalid_vertex)
-                        std::copy_n(values.data() + index(v) * width_, width_,
-                                    result.data() + beyond_[i] * width_);
+                        std::copy_n(values.data() + index(v) * width_, width_, at(beyond_[i]));
                     },
                     {.threads = threads});
   }
 
  private:
-  void refuse(std::size_t query) const {
-    if (options_.outside != Outside::error) return;
-    throw Error(Errc::invalid_argument,
-                "query " + std::to_string(query) + " is outside the convex hull of the points", {query});
-  }
-
   const EvaluateOptions& options_;
   std::span<const double> queries_;
+  std::span<double> result_;
   std::size_t d_, width_;
+  Progress progress_;
   std::mutex mutex_;
   std::vector<std::size_t> beyond_;
   std::vector<double> coordinates_;

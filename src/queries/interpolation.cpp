@@ -13,7 +13,6 @@
 
 namespace delone {
 
-using queries::Meter;
 using queries::require_size;
 
 LinearInterpolator::LinearInterpolator(const Triangulation& triangulation, std::span<const double> values,
@@ -28,15 +27,13 @@ void LinearInterpolator::evaluate(std::span<const double> queries, std::span<dou
                                   const EvaluateOptions& options, const Execution& how) const {
   const ArithmeticScope arithmetic;
   const auto d = static_cast<std::size_t>(triangulation_.dimension());
-  require_size(result.size(), queries.size() / d * columns_, "the result");
+  queries::Answers answers(queries, d, result, columns_, options, how);
   if (!options.fill.empty()) require_size(options.fill.size(), columns_, "the constants outside");
   const Complex complex = triangulation_.complex();
-  queries::Progress progress(how.progress, queries.size() / d);
-  queries::OutsideAnswers beyond(options, queries, d, columns_);
   const auto answer = [&](std::size_t query, const LocatedPoint& where) {
-    double* const at = result.data() + query * columns_;
+    double* const at = answers.at(query);
     if (where.barycentric.empty()) {
-      beyond.value(query, at);
+      answers.put_value_outside(query);
       return;
     }
     std::fill_n(at, columns_, 0.0);
@@ -49,14 +46,14 @@ void LinearInterpolator::evaluate(std::span<const double> queries, std::span<dou
     }
   };
   const auto make_visit = [&]() -> PointLocator::Visit {
-    return [&, meter = Meter(progress)](std::size_t query, const LocatedPoint& where) mutable {
+    return [&, meter = answers.meter()](std::size_t query, const LocatedPoint& where) mutable {
       meter();
       answer(query, where);
     };
   };
   locator_.impl_->locate(queries, queries::locate_options(options), {.threads = how.threads},
                          {.make = make_visit});
-  beyond.finish(locator_, values_, result, how.threads);
+  answers.finish(locator_, values_, how.threads);
 }
 
 void LinearInterpolator::gradients(std::span<const double> queries, std::span<double> result,
@@ -64,18 +61,16 @@ void LinearInterpolator::gradients(std::span<const double> queries, std::span<do
   const ArithmeticScope arithmetic;
   const auto d = static_cast<std::size_t>(triangulation_.dimension());
   const std::size_t width = columns_ * d;
-  require_size(result.size(), queries.size() / d * width, "the result");
+  queries::Answers answers(queries, d, result, width, options, how);
   const Complex complex = triangulation_.complex();
-  queries::Progress progress(how.progress, queries.size() / d);
-  queries::OutsideAnswers beyond(options, queries, d, width);
   const auto make_visit = [&]() -> PointLocator::Visit {
-    return [&, meter = Meter(progress), last = CellId{invalid_cell}, points = std::vector<const double*>(),
+    return [&, meter = answers.meter(), last = CellId{invalid_cell}, points = std::vector<const double*>(),
             values = std::vector<double>(),
             gradient = std::vector<double>()](std::size_t query, const LocatedPoint& where) mutable {
       meter();
-      double* const at = result.data() + query * width;
+      double* const at = answers.at(query);
       if (where.barycentric.empty()) {
-        beyond.gradient(query, at);
+        answers.put_gradient_outside(query);
         return;
       }
       if (where.cell != last) {

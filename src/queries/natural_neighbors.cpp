@@ -31,7 +31,6 @@
 
 namespace delone {
 
-using queries::Meter;
 using queries::NaturalCenters;
 using queries::NaturalSearch;
 using queries::require_size;
@@ -366,18 +365,16 @@ void NaturalNeighborInterpolator::evaluate(std::span<const double> queries, std:
                                            const EvaluateOptions& options, const Execution& how) const {
   const ArithmeticScope arithmetic;
   const auto d = static_cast<std::size_t>(triangulation_.dimension());
-  require_size(result.size(), queries.size() / d * columns_, "the result");
+  queries::Answers answers(queries, d, result, columns_, options, how);
   if (!options.fill.empty()) require_size(options.fill.size(), columns_, "the constants outside");
-  queries::Progress progress(how.progress, queries.size() / d);
-  queries::OutsideAnswers beyond(options, queries, d, columns_);
   const auto make_visit = [&]() -> NaturalNeighborCoordinates::Visit {
-    return [&, meter = Meter(progress),
+    return [&, meter = answers.meter(),
             interpolant = Interpolant(triangulation_, values_, columns_, site_gradients_)](
                std::size_t query, const NaturalNeighbors& found) mutable {
       meter();
-      double* const at = result.data() + query * columns_;
+      double* const at = answers.at(query);
       if (found.vertices.empty())
-        beyond.value(query, at);
+        answers.put_value_outside(query);
       else if (smooth_)
         interpolant.smooth(found.point.data(), found, at, nullptr);
       else
@@ -385,7 +382,7 @@ void NaturalNeighborInterpolator::evaluate(std::span<const double> queries, std:
     };
   };
   coordinates_.find_by_threads(queries, queries::locate_options(options), make_visit, false, how.threads);
-  beyond.finish(coordinates_.impl_->locator, values_, result, how.threads);
+  answers.finish(coordinates_.impl_->locator, values_, how.threads);
 }
 
 void NaturalNeighborInterpolator::gradients(std::span<const double> queries, std::span<double> result,
@@ -393,17 +390,15 @@ void NaturalNeighborInterpolator::gradients(std::span<const double> queries, std
   const ArithmeticScope arithmetic;
   const auto d = static_cast<std::size_t>(triangulation_.dimension());
   const std::size_t width = columns_ * d;
-  require_size(result.size(), queries.size() / d * width, "the result");
-  queries::Progress progress(how.progress, queries.size() / d);
-  const queries::OutsideAnswers beyond(options, queries, d, width);
+  queries::Answers answers(queries, d, result, width, options, how);
   const auto make_visit = [&]() -> NaturalNeighborCoordinates::Visit {
-    return [&, meter = Meter(progress), value = std::vector<double>(columns_),
+    return [&, meter = answers.meter(), value = std::vector<double>(columns_),
             interpolant = Interpolant(triangulation_, values_, columns_, site_gradients_)](
                std::size_t query, const NaturalNeighbors& found) mutable {
       meter();
-      double* const at = result.data() + query * width;
+      double* const at = answers.at(query);
       if (found.vertices.empty())
-        beyond.gradient(query, at);
+        answers.put_gradient_outside(query);
       else if (found.kind == Location::Kind::on_vertex)
         site_gradient(found.vertices[0], {at, width});
       else if (smooth_)

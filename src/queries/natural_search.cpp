@@ -170,14 +170,13 @@ void NaturalSearch::find(const double* q, CellId hint, bool with_gradients) {
 
 void NaturalSearch::find_on_boundary(const double* q, const std::vector<CellId>& zone, bool with_gradients) {
   const Complex& complex = centers_.complex();
-  const std::size_t d = centers_.dimension();
   std::vector<VertexId> in_face;
   for (const CellId c : zone)
     for (const VertexId v : complex.vertices(c))
       if (v != infinite_vertex) in_face.push_back(v);
   std::sort(in_face.begin(), in_face.end());
   in_face.erase(std::unique(in_face.begin(), in_face.end()), in_face.end());
-  const kernel::Flat flat{static_cast<int>(d), centers_.axes()};
+  const kernel::Flat flat{static_cast<int>(centers_.dimension()), centers_.axes()};
   for (const CellId c : zone) {
     const int infinite = complex.infinite_index(c);
     if (infinite < 0) continue;
@@ -189,15 +188,20 @@ void NaturalSearch::find_on_boundary(const double* q, const std::vector<CellId>&
       return kernel::orientation(flat, points_) != Sign::zero;
     });
   }
+  find_among(in_face, q, with_gradients);
+}
+
+void NaturalSearch::find_among(std::span<const VertexId> some, const double* q, bool with_gradients) {
+  const std::size_t d = centers_.dimension();
   std::vector<double> coordinates;
-  for (const VertexId v : in_face)
+  for (const VertexId v : some)
     coordinates.insert(coordinates.end(), centers_.point(v), centers_.point(v) + d);
-  const Delaunay<> face(coordinates, static_cast<int>(d));
-  const NaturalCenters centers(face, false);
+  const Delaunay<> triangulation(coordinates, static_cast<int>(d));
+  const NaturalCenters centers(triangulation, false);
   NaturalSearch search(centers);
-  search.find(q, *face.finite_cells().begin(), with_gradients);
+  search.find(q, *triangulation.finite_cells().begin(), with_gradients);
   vertices.clear();
-  for (const VertexId v : search.vertices) vertices.push_back(in_face[face.row_of(v)]);
+  for (const VertexId v : search.vertices) vertices.push_back(some[triangulation.row_of(v)]);
   weights = std::move(search.weights);
   gradients = std::move(search.gradients);
   was_exact = search.was_exact;

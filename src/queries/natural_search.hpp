@@ -54,6 +54,8 @@ class NaturalSearch {
   /// Finds the natural neighbors of a point in the hull that is no vertex; `hint`: a finite cell that
   /// contains it. On the boundary of the hull: those within the smallest face of the hull that contains it.
   void find(const double* q, CellId hint, bool with_gradients);
+  /// As if there were only these vertices, different from the point, which is in their convex hull.
+  void find_among(std::span<const VertexId> some, const double* q, bool with_gradients);
 
   /// Those with positive coordinates.
   std::vector<VertexId> vertices;

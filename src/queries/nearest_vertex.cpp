@@ -18,6 +18,7 @@
 // ties of any kind.
 #include "base/progress_meter.hpp"
 #include "base/quick_rounds.hpp"
+#include "base/spread.hpp"
 #include "base/stamped_table.hpp"
 #include "queries/point_locator_impl.hpp"
 #include "queries/powers.hpp"
@@ -174,19 +175,15 @@ const PointLocator::Edges& PointLocator::edges() const {
   const auto make = [this] {
     const Complex& complex = impl_->complex;
     const std::size_t slots = std::max<std::size_t>(complex.num_vertex_slots(), 1);
-    std::vector<std::size_t> first(slots + 1, 0);
+    std::vector<std::size_t> first;
+    std::vector<CellId> cells;
     internal::QuickRounds round;
-    for (const CellId c : complex.finite_cells()) {
-      round();
-      for (int i = 0; i <= complex.affine_dimension(); ++i) ++first[index(complex.vertex(c, i)) + 1];
-    }
-    for (std::size_t v = 0; v < slots; ++v) first[v + 1] += first[v];
-    std::vector<CellId> cells(first.back());
-    std::vector<std::size_t> end(first.begin(), first.end() - 1);
-    for (const CellId c : complex.finite_cells()) {
-      round();
-      for (int i = 0; i <= complex.affine_dimension(); ++i) cells[end[index(complex.vertex(c, i))]++] = c;
-    }
+    internal::spread(slots, first, cells, [&](const auto& put) {
+      for (const CellId c : complex.finite_cells()) {
+        round();
+        for (int i = 0; i <= complex.affine_dimension(); ++i) put(index(complex.vertex(c, i)), c);
+      }
+    });
     Edges edges;
     edges.offsets.reserve(slots + 1);
     edges.offsets.push_back(0);

@@ -4,8 +4,6 @@
 // solution of least length: for points of a flat it is tangent to the flat.
 #include "queries/site_gradients.hpp"
 
-#include <delone/delaunay.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -69,17 +67,9 @@ namespace {
 /// The neighbors of a vertex inside the hull without it, with their coordinates for it.
 void find_coordinates(const NaturalCenters& centers, VertexId v, std::vector<VertexId>& neighbors,
                       std::vector<double>& weights) {
-  const std::size_t d = centers.dimension();
-  std::vector<double> coordinates;
-  for (const VertexId other : neighbors)
-    coordinates.insert(coordinates.end(), centers.point(other), centers.point(other) + d);
-  const Delaunay<> others(coordinates, static_cast<int>(d));
-  const NaturalCenters centers_of_others(others, false);
-  NaturalSearch search(centers_of_others);
-  search.find(centers.point(v), *others.finite_cells().begin(), false);
-  std::vector<VertexId> found;
-  for (const VertexId other : search.vertices) found.push_back(neighbors[others.row_of(other)]);
-  neighbors = std::move(found);
+  NaturalSearch search(centers);
+  search.find_among(neighbors, centers.point(v), false);
+  neighbors = std::move(search.vertices);
   weights = std::move(search.weights);
 }
 

@@ -6,6 +6,7 @@
 #include "sites/boundary_sites.hpp"
 #include "sites/site_table.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -42,7 +43,11 @@ class GrowingSites : public BoundarySites {
   void give_sites(std::span<const Index> rows, PointOf&& point_of) {
     reserve(rows.size(), 0);
     const auto first = static_cast<Index>(size());
-    for (const Index row : rows) site_of_row_[row] = site_of(point_of(row), row, tag_of(point_of(row)));
+    for (const Index row : rows) {
+      const Index site = site_of(point_of(row), row, tag_of(point_of(row)));
+      site_of_row_[row] = site;
+      row_of_site_[site] = std::min(row_of_site_[site], row);
+    }
     include_in_grid(first);
   }
 

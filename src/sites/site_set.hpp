@@ -87,7 +87,6 @@ class SiteSet {
   /// From here on changes are noted in a journal, until end().
   void begin(Journal& journal);
   void end() { journal_ = nullptr; }
-  bool is_noting() const { return journal_ != nullptr; }
   /// Gives a vertex another point.
   void move(Index v, const double* point) {
     note_point(v);

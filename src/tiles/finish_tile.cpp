@@ -249,8 +249,7 @@ FinishedTile TileTriangulation::finish() {
   result.data.affine_dimension = survey_.affine_dimension;
   result.data.rank = static_cast<int>(surroundings_->rank());
   if (!own_.rows.empty()) {
-    if (delaunay_) delaunay_->sort_cells();
-    if (regular_) regular_->sort_cells();
+    made_->get().sort_cells();
     result = PartMaker(triangulation(), is_own_, row_of_, shift_of_, *surroundings_, options_.threads).make();
   }
   result.num_foreign = static_cast<std::int64_t>(num_foreign_);
@@ -275,8 +274,7 @@ FinishedTile TileTriangulation::finish() {
     (is_hidden ? result.num_hidden : result.num_duplicates) += 1;
     rows.emplace_back(duplicate.row, is_hidden ? -1 : duplicate.first_row);
   }
-  delaunay_.reset();
-  regular_.reset();
+  made_.reset();
   std::sort(rows.begin(), rows.end());
   for (const auto& [row, vertex] : rows) {
     result.data.own_rows.push_back(row);

@@ -72,7 +72,5 @@ PageTable read_page_table(const std::string& path);
 /// The table of the pages in another file, unless one of the files is missing or damaged: then pages are made
 /// again.
 std::optional<PageTable> find_page_table(const std::string& path, const std::string& pages_path);
-void write_survey(const std::string& path, const Survey& survey);
-Survey read_survey(const std::string& path);
 
 }  // namespace delone::tiles

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is known of all pages, kept in files for going on later: a head that tells the kind and the byte
+// What is known of all pages, kept in a file for going on later: a head that tells the kind and the byte
 // order, numbers and arrays, and a checksum of all that. See page_file.hpp.
 #include "base/progress_meter.hpp"
 #include "io/atomic_file.hpp"
@@ -21,12 +21,11 @@ namespace delone::tiles {
 
 namespace {
 
-constexpr std::uint64_t pages_head = 0x3130'7365'6761'7044u;   // "Dpages01"
-constexpr std::uint64_t survey_head = 0x3130'7965'7672'7544u;  // "Durvey01"
+constexpr std::uint64_t head = 0x3130'7365'6761'7044u;  // "Dpages01"
 
 class Writer {
  public:
-  Writer(const std::string& path, std::uint64_t head) : file_(path) { put(head); }
+  explicit Writer(const std::string& path) : file_(path) { put(head); }
 
   template <class T>
   void put(T value) {
@@ -56,7 +55,7 @@ class Writer {
 
 class Reader {
  public:
-  Reader(const std::string& path, std::uint64_t head) {
+  explicit Reader(const std::string& path) {
     const io::PositionedFile file(path);
     name_ = file.name();
     bytes_.resize(static_cast<std::size_t>(file.size()));
@@ -118,17 +117,10 @@ bool agrees(const PageTable& table) {
   return page == num_pages;
 }
 
-bool agrees(const Survey& survey) {
-  if (survey.dimension < 1) return false;
-  const std::size_t d = static_cast<std::size_t>(survey.dimension), box = survey.num_points > 0 ? d : 0;
-  return survey.low.size() == box && survey.high.size() == box &&
-         survey.landmarks.size() == survey.landmark_rows.size() * (d + (survey.weighted ? 1 : 0));
-}
-
 }  // namespace
 
 void write_page_table(const std::string& path, const PageTable& table) {
-  Writer to(path, pages_head);
+  Writer to(path);
   to.put<std::int32_t>(table.dimension);
   to.put<std::int32_t>(table.weighted ? 1 : 0);
   to.put(table.first_point);
@@ -150,7 +142,7 @@ void write_page_table(const std::string& path, const PageTable& table) {
 }
 
 PageTable read_page_table(const std::string& path) {
-  Reader from(path, pages_head);
+  Reader from(path);
   PageTable table;
   table.dimension = from.get<std::int32_t>();
   table.weighted = from.get<std::int32_t>() != 0;
@@ -187,38 +179,6 @@ std::optional<PageTable> find_page_table(const std::string& path, const std::str
     if (error_of_table.code() != Errc::bad_format) throw;
     return std::nullopt;
   }
-}
-
-void write_survey(const std::string& path, const Survey& survey) {
-  Writer to(path, survey_head);
-  to.put<std::int32_t>(survey.dimension);
-  to.put<std::int32_t>(survey.weighted ? 1 : 0);
-  to.put(survey.num_points);
-  to.put<std::int32_t>(survey.affine_dimension);
-  to.put(survey.low);
-  to.put(survey.high);
-  to.put(survey.lowest_weight);
-  to.put(survey.largest_weight);
-  to.put(survey.landmarks);
-  to.put(survey.landmark_rows);
-  to.finish();
-}
-
-Survey read_survey(const std::string& path) {
-  Reader from(path, survey_head);
-  Survey survey;
-  survey.dimension = from.get<std::int32_t>();
-  survey.weighted = from.get<std::int32_t>() != 0;
-  survey.num_points = from.get<std::uint64_t>();
-  survey.affine_dimension = from.get<std::int32_t>();
-  survey.low = from.get_array<double>();
-  survey.high = from.get_array<double>();
-  survey.lowest_weight = from.get<double>();
-  survey.largest_weight = from.get<double>();
-  survey.landmarks = from.get_array<double>();
-  survey.landmark_rows = from.get_array<std::int64_t>();
-  from.require(agrees(survey));
-  return survey;
 }
 
 }  // namespace delone::tiles

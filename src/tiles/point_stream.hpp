@@ -2,9 +2,12 @@
 // Rows of points in chunks: an input that need not fit into memory, and that is read more than once.
 #pragma once
 
+#include "base/progress_meter.hpp"
+
 #include <delone/io.hpp>
 #include <delone/types.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -33,6 +36,18 @@ class PointStream {
   /// change, otherwise. REQUIRES first ≤ last ≤ size_hint(), and no earlier call. Rewinds.
   virtual bool restrict_to(std::uint64_t /*first*/, std::uint64_t /*last*/) { return false; }
 };
+
+/// Calls visit(row) for every row, from the first one on. A cancellation point.
+template <class Visit>
+void each_point(PointStream& points, const Visit& visit) {
+  std::vector<double> rows;
+  points.rewind();
+  while (points.next(rows)) {
+    internal::cancellation_point();
+    for (std::size_t at = 0; at < rows.size(); at += static_cast<std::size_t>(points.dimension()))
+      visit(&rows[at]);
+  }
+}
 
 struct StreamOptions {
   /// As ReadOptions::format, or raw: little-endian doubles, the numbers of a row one after the other; empty:

@@ -2,7 +2,6 @@
 // The first look at all points. See survey.hpp.
 #include "tiles/survey.hpp"
 
-#include "base/progress_meter.hpp"
 #include "base/random.hpp"
 #include "kernel/predicates.hpp"
 #include "pages/cyclic_order.hpp"
@@ -140,12 +139,7 @@ SurveyResult make_survey(PointStream& points, bool weighted, std::size_t sample_
     throw Error(Errc::bad_dimension, weighted ? "rows of points with weights need two numbers at least"
                                               : "the dimension of the points is 0");
   Surveyor surveyor(row_size - (weighted ? 1 : 0), weighted, sample_size, seed);
-  std::vector<double> rows;
-  points.rewind();
-  while (points.next(rows)) {
-    internal::cancellation_point();
-    for (std::size_t i = 0; i < rows.size(); i += static_cast<std::size_t>(row_size)) surveyor.add(&rows[i]);
-  }
+  each_point(points, [&](const double* row) { surveyor.add(row); });
   return surveyor.finish();
 }
 

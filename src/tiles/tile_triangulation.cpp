@@ -37,6 +37,7 @@ class TileTriangulation::Asking {
         complex_(tile.triangulation().complex()),
         points_(triangulation::StoredPoints::of(tile.triangulation())),
         axes_(tile.triangulation().axes()),
+        flat_{points_.ambient, axes_, points_.form},
         d_(static_cast<std::size_t>(points_.ambient)),
         k_(axes_.size()),
         finder_(points_.ambient, axes_, is_aligned(tile.survey_, axes_)),
@@ -130,7 +131,7 @@ class TileTriangulation::Asking {
         if (is_within_tile(spokes_[i].own, center)) continue;
         const std::span<const double* const> corners(corners_.data() + i * (k_ + 1), k_ + 1);
         take(spokes_[i].cell, search_->within_sphere(spokes_[i].own, center, [&](const double* x) {
-          return is_in_sphere(corners, x);
+          return pages::is_in_sphere(flat_, corners, x);
         }));
         if (tile_.can_try_all_points() &&
             num_exact() > most_exact_per_question * num_questions + some_exact) {
@@ -166,15 +167,6 @@ class TileTriangulation::Asking {
     return tile_.surroundings_->is_within_period(center, reach);
   }
 
-  bool is_in_sphere(std::span<const double* const> corners, const double* x) const {
-    const std::size_t width = points_.row_size();
-    for (const double* corner : corners)
-      if (std::equal(corner, corner + width, x)) return false;
-    const kernel::Flat flat{points_.ambient, axes_, points_.form};
-    return kernel::in_sphere_perturbed(flat, corners, kernel::orientation(flat, corners), x) ==
-           Sign::negative;
-  }
-
   /// An infinite cell. A point in the hyperplane of its facet is in conflict exactly if it is so with the
   /// finite cell behind the facet, which has the same vertices of the tile and asks for itself.
   void ask_beyond(CellId cell, const double* own) {
@@ -186,9 +178,8 @@ class TileTriangulation::Asking {
     const double* const inner = point(complex_.vertex(behind, complex_.mirror_index(cell, infinite)));
     if (is_side_of_box(inner)) return;
     const std::vector<double> normal = solve::outward_direction(facet_, inner, d_);
-    const kernel::Flat flat{points_.ambient, axes_, points_.form};
     take(cell, search_->beyond_facet(own, normal.data(), [&](const double* x) {
-      return kernel::hull_side(flat, facet_, inner, x) == Sign::negative;
+      return kernel::hull_side(flat_, facet_, inner, x) == Sign::negative;
     }));
   }
   /// Whether the facet lies in a side of the box of all points: then nothing is beyond it.
@@ -214,6 +205,7 @@ class TileTriangulation::Asking {
   const Complex complex_;
   const sites::VertexPoints& points_;
   const std::vector<int> axes_;
+  const kernel::Flat flat_;
   const std::size_t d_, k_;
   solve::CenterFinder finder_;
   const std::unique_ptr<ForeignSearch> search_;
@@ -238,10 +230,7 @@ TileTriangulation::TileTriangulation(const Survey& survey, const PageTree& tree,
   Options how;
   how.threads = options.threads;
   how.progress = options.progress;
-  if (survey.weighted)
-    regular_.emplace(survey.dimension, how);
-  else
-    delaunay_.emplace(survey.dimension, how);
+  made_.emplace(survey.dimension, survey.weighted, how);
 }
 
 bool TileTriangulation::advance() {
@@ -265,7 +254,6 @@ bool TileTriangulation::advance() {
     insert_found();
   }
   effort_.insert_seconds += insertion.seconds();
-  effort_.created_cells = triangulation().statistics().created_cells;
   has_asked_ = true;
   ++num_rounds_;
   if (survey_.affine_dimension >= 1) {
@@ -284,20 +272,7 @@ bool TileTriangulation::advance() {
 /// `rows`: those of rows_ that have no vertices yet.
 void TileTriangulation::insert(std::vector<double> rows) {
   first_new_vertex_ = has_asked_ ? triangulation().complex().num_vertex_slots() : 1;
-  const std::size_t d = static_cast<std::size_t>(survey_.dimension), width = tree_.table().row_size();
-  if (delaunay_) {
-    delaunay_->insert_range(std::move(rows));
-  } else {
-    std::vector<double> coordinates, weights;
-    coordinates.reserve(rows.size() / width * d);
-    weights.reserve(rows.size() / width);
-    for (std::size_t at = 0; at < rows.size(); at += width) {
-      coordinates.insert(coordinates.end(), rows.begin() + static_cast<std::ptrdiff_t>(at),
-                         rows.begin() + static_cast<std::ptrdiff_t>(at + d));
-      weights.push_back(rows[at + d]);
-    }
-    regular_->insert_range(std::move(coordinates), weights);
-  }
+  made_->insert_rows(std::move(rows));
   enter_vertices();
 }
 
@@ -353,15 +328,12 @@ void TileTriangulation::take_found(const ForeignPlace& place, double* point) {
 /// The points of found_, in whose order neighbors are near each other.
 void TileTriangulation::insert_one_by_one() {
   first_new_vertex_ = triangulation::StoredPoints::of(triangulation()).last_vertex() + 1;
-  const auto d = static_cast<std::size_t>(survey_.dimension);
   std::vector<double> row(tree_.table().row_size());
-  const std::span<const double> point(row.data(), d);
   last_cell_ = *triangulation().all_cells().begin();
   for (const ForeignPlace& place : found_) {
     internal::cancellation_point();
     take_found(place, row.data());
-    const InsertResult result =
-        delaunay_ ? delaunay_->insert(point, last_cell_) : regular_->insert(point, row[d], last_cell_);
+    const InsertResult result = made_->insert_row(row, last_cell_);
     // If the point is hidden by another one, nothing has changed.
     if (result.vertex != invalid_vertex) last_cell_ = triangulation().complex().incident_cell(result.vertex);
   }
@@ -391,9 +363,6 @@ void TileTriangulation::ask() {
     const std::lock_guard lock(mutex);
     found_.insert(found_.end(), asking.found.begin(), asking.found.end());
     waiting_.insert(waiting_.end(), asking.waiting.begin(), asking.waiting.end());
-    effort_.questions += asking.num_questions;
-    effort_.pages += asking.num_pages();
-    effort_.exact += asking.num_exact();
   };
   if (!waited.empty()) {
     Asking asking(*this);

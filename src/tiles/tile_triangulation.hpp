@@ -13,11 +13,7 @@
 #include "tiles/surroundings.hpp"
 #include "tiles/survey.hpp"
 #include "tiles/tile_points.hpp"
-#include "triangulation/triangulation_impl.hpp"
-
-#include <delone/delaunay.hpp>
-#include <delone/options.hpp>
-#include <delone/regular.hpp>
+#include "triangulation/row_triangulation.hpp"
 
 #include <atomic>
 #include <cstddef>
@@ -40,12 +36,8 @@ struct TileOptions {
   bool try_all_points = false;  ///< instead of asking for those that are needed
 };
 
-/// What the questions of a tile have cost.
+/// What a tile has cost.
 struct TileEffort {
-  std::uint64_t questions = 0;  ///< cells that met the box of another tile
-  std::uint64_t pages = 0;      ///< pages looked at, by all questions
-  std::uint64_t exact = 0;      ///< points that only exact arithmetic decided
-  std::uint64_t created_cells = 0;
   double insert_seconds = 0, ask_seconds = 0;
 };
 
@@ -72,9 +64,7 @@ class TileTriangulation {
  private:
   class Asking;
 
-  const Triangulation& triangulation() const {
-    return delaunay_ ? static_cast<const Triangulation&>(*delaunay_) : *regular_;
-  }
+  const Triangulation& triangulation() const { return made_->get(); }
   const Tile& tile() const { return tree_.table().tiles[number_]; }
   void insert(std::vector<double> rows);
   void enter_vertices();
@@ -94,8 +84,7 @@ class TileTriangulation {
   PageSource& source_;
   const std::size_t number_;
   const TileOptions options_;
-  std::optional<Delaunay<>> delaunay_;
-  std::optional<Regular<>> regular_;
+  std::optional<triangulation::RowTriangulation> made_;  // until it ends
   TilePoints own_;
   std::vector<std::int64_t> rows_;       // of all points that were inserted, in that order
   std::vector<std::uint8_t> is_own_;     // by vertex id

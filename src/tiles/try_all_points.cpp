@@ -14,7 +14,7 @@ namespace delone::tiles {
 
 /// The pages of other tiles, the nearest to the box of this one last.
 std::vector<std::uint32_t> TileTriangulation::pages_by_distance() const {
-  const PageTable& table = tree_.table();
+  const pages::PageTable& table = tree_.table();
   const auto d = static_cast<std::size_t>(table.dimension);
   std::vector<double> low(table.low(tile().first_page), table.high(tile().first_page)),
       high(table.high(tile().first_page), table.high(tile().first_page) + d);
@@ -54,13 +54,11 @@ bool TileTriangulation::try_all_points() {
       break;
     }
     pages_to_try_.pop_back();
-    ++effort_.pages;
     for (std::size_t slot = 0; slot < page->size(); ++slot)
       if (!surroundings_->knows(number, slot)) insert_if_needed(*page, slot);
     internal::cancellation_point();
   }
   effort_.insert_seconds += trying.seconds();
-  effort_.created_cells = triangulation().statistics().created_cells;
   ++num_rounds_;
   return !pages_to_try_.empty();
 }
@@ -81,8 +79,7 @@ void TileTriangulation::insert_if_needed(const Page& page, std::size_t slot) {
     return std::any_of(vertices.begin(), vertices.end(), [&](VertexId v) { return is_own_[index(v)] != 0; });
   });
   if (!is_needed) return;
-  const InsertResult result =
-      delaunay_ ? delaunay_->insert(point, last_cell_) : regular_->insert(point, weight, last_cell_);
+  const InsertResult result = made_->insert_row(row, last_cell_);
   rows_.push_back(page.rows[slot]);
   enter_vertices();
   ++num_foreign_;

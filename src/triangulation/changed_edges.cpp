@@ -2,6 +2,7 @@
 #include "triangulation/changed_edges.hpp"
 
 #include "base/quick_rounds.hpp"
+#include "base/spread.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -29,16 +30,15 @@ void add_edges(const Complex& complex, CellId cell, std::vector<Edge>& edges) {
 /// Many edges go to their first vertices before they are sorted.
 void sort_unique_edges(std::vector<Edge>& edges, Index num_ids) {
   if (edges.size() >= num_ids) {
-    std::vector<std::size_t> first(std::size_t{num_ids} + 1, 0);
+    std::vector<std::size_t> first;
+    std::vector<Edge> sorted;
     internal::QuickRounds round;
-    for (const Edge& edge : edges) ++first[index(edge[0]) + 1];
-    for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
-    std::vector<std::size_t> next(first.begin(), first.end() - 1);
-    std::vector<Edge> sorted(edges.size());
-    for (const Edge& edge : edges) {
-      round();
-      sorted[next[index(edge[0])]++] = edge;
-    }
+    internal::spread(num_ids, first, sorted, [&](const auto& put) {
+      for (const Edge& edge : edges) {
+        round();
+        put(index(edge[0]), edge);
+      }
+    });
     for (std::size_t v = 0; v + 1 < first.size(); ++v) {
       round();
       std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(first[v]),

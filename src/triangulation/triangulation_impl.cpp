@@ -3,6 +3,7 @@
 #include "triangulation/triangulation_impl.hpp"
 
 #include "base/build_limits.hpp"
+#include "base/compiler.hpp"
 #include "base/parallel.hpp"
 #include "base/progress_meter.hpp"
 #include "base/require_finite.hpp"
@@ -176,7 +177,8 @@ Index Triangulation::Impl::lone_vertex_of(std::size_t row) {
   if (options.progress || options.memory_limit > 0 || options.time_limit > 0) return invalid_index;
   if (row >= sites().num_rows() || sites().vertex_of(row) == invalid_vertex) return invalid_index;
   const Index v = index(sites().vertex_of(row));
-  return state->sites.has_several(v) ? invalid_index : v;
+  // What detach() will ask for is read here, while other reads are under way.
+  return sites().row_of(v) != row || state->sites.has_several(v) ? invalid_index : v;
 }
 
 /// Nothing has been done unless the outcome is `done`; `flat` also if it takes a transaction.
@@ -195,6 +197,7 @@ engine::Outcome Triangulation::Impl::remove_at_once(std::size_t row) {
 /// The same for a row that moves a little. Returns whether it has moved.
 bool Triangulation::Impl::move_at_once(std::size_t row, std::span<const double> to) {
   const Index v = index(sites().vertex_of(row));
+  internal::prefetch(sites().point(v));
   if (to.size() != ambient()) return false;
   if (!frame_of(*state->engine).contains(to.data())) return false;
   if (affine_dimension() < dimension() && !state->affine_hull.contains(to.data())) return false;

@@ -3,6 +3,7 @@
 #include "voronoi/diagram_simplifier.hpp"
 
 #include "base/progress_meter.hpp"
+#include "base/spread.hpp"
 #include "kernel/linear_bound.hpp"
 #include "voronoi/roundoff.hpp"
 
@@ -77,17 +78,14 @@ std::vector<std::pair<Index, Index>> DiagramSimplifier::short_edges() const {
 void DiagramSimplifier::cluster_vertices() {
   const auto edges = short_edges();
   if (edges.empty()) return;
-  std::vector<std::size_t> starts(num_vertices_ + 2, 0);  // of the vertices next to each
-  for (const auto& [v, w] : edges) {
-    ++starts[v + 2];
-    ++starts[w + 2];
-  }
-  std::partial_sum(starts.begin(), starts.end(), starts.begin());
-  std::vector<Index> next(2 * edges.size());
-  for (const auto& [v, w] : edges) {
-    next[starts[v + 1]++] = w;
-    next[starts[w + 1]++] = v;
-  }
+  std::vector<std::size_t> starts;  // of the vertices next to each
+  std::vector<Index> next;
+  internal::spread(num_vertices_, starts, next, [&](const auto& put) {
+    for (const auto& [v, w] : edges) {
+      put(v, w);
+      put(w, v);
+    }
+  });
   std::vector<Index> num_ridges(num_vertices_, 0), order;
   for (const SignedIndex v : in_.ridge_vertices_)
     if (v >= 0) ++num_ridges[static_cast<std::size_t>(v)];
@@ -231,17 +229,12 @@ void DiagramSimplifier::cut_cycles_of_regions() {
 }
 
 std::span<const Index> DiagramSimplifier::regions_of(SignedIndex vertex) {
-  if (region_starts_.empty()) {
-    region_starts_.assign(num_vertices_ + 1, 0);
-    for (const SignedIndex v : in_.region_vertices_)
-      if (v >= 0) ++region_starts_[static_cast<std::size_t>(v) + 1];
-    std::partial_sum(region_starts_.begin(), region_starts_.end(), region_starts_.begin());
-    regions_at_.resize(region_starts_.back());
-    std::vector<Index> next(region_starts_.begin(), region_starts_.end() - 1);
-    for (Index r = 0; r < in_.num_regions(); ++r)
-      for (const SignedIndex v : in_.region(r))
-        if (v >= 0) regions_at_[next[static_cast<std::size_t>(v)]++] = r;
-  }
+  if (region_starts_.empty())
+    internal::spread(num_vertices_, region_starts_, regions_at_, [&](const auto& put) {
+      for (Index r = 0; r < in_.num_regions(); ++r)
+        for (const SignedIndex v : in_.region(r))
+          if (v >= 0) put(static_cast<std::size_t>(v), r);
+    });
   const auto v = static_cast<std::size_t>(vertex);
   return std::span(regions_at_).subspan(region_starts_[v], region_starts_[v + 1] - region_starts_[v]);
 }

@@ -17,15 +17,39 @@
 #include "voronoi/clipper_limits.hpp"
 #include "voronoi/roundoff.hpp"
 
+#include <delone/error.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <string>
 #include <utility>
 
 namespace delone::voronoi {
 
 using namespace clipper_limits;
+
+void require_container(const Box& box, std::span<const double> halfspaces, int dimension) {
+  const auto d = static_cast<std::size_t>(dimension);
+  const auto wrong = [](const std::string& what) { throw Error(Errc::invalid_argument, what); };
+  if (box.low.size() != d || box.high.size() != d)
+    wrong("the box has not as many coordinates as the space, " + std::to_string(dimension));
+  for (std::size_t j = 0; j < d; ++j)
+    if (!std::isfinite(box.low[j]) || !std::isfinite(box.high[j]) || !(box.low[j] < box.high[j]))
+      wrong("the box must have finite limits, low below high, along axis " + std::to_string(j));
+  constexpr int largest_dimension = 12;  // 2^d corners of the box
+  if (dimension > largest_dimension)
+    throw Error(Errc::unsupported,
+                "clipping to a box is available up to dimension " + std::to_string(largest_dimension));
+  if (halfspaces.size() % (d + 1) != 0) wrong("halfspaces are rows of " + std::to_string(d + 1) + " numbers");
+  for (std::size_t i = 0; i < halfspaces.size(); i += d + 1) {
+    const auto row = halfspaces.subspan(i, d + 1);
+    if (!std::all_of(row.begin(), row.end(), [](double x) { return std::isfinite(x); }) ||
+        std::all_of(row.begin(), row.end() - 1, [](double x) { return x == 0; }))
+      wrong("halfspace " + std::to_string(i / (d + 1)) + " needs finite numbers and a normal that is not 0");
+  }
+}
 
 RegionClipper::RegionClipper(const Box& box, bool furthest, std::span<const double> halfspaces)
     : d_(box.low.size()), box_(box), furthest_(furthest), halfspaces_(halfspaces) {

@@ -21,12 +21,15 @@
 
 namespace delone::voronoi {
 
+/// Throws Errc::invalid_argument unless box and halfspaces are d finite numbers low < high, and rows of d + 1
+/// finite numbers a, c with a ≠ 0; unsupported for d > 12.
+void require_container(const Box& box, std::span<const double> halfspaces, int dimension);
+
 class RegionClipper {
  public:
-  /// REQUIRES a box of dimension at most 12 with low < high, both finite.
+  /// REQUIRES what require_container() does.
   /// `furthest`: whether the region of a site is that of the points not further from any other one; then
-  /// weights are not looked at. `halfspaces`: rows of d + 1 finite numbers a, c of a·x + c ≤ 0, with a ≠ 0,
-  /// which must stay valid.
+  /// weights are not looked at. `halfspaces`: rows a, c of a·x + c ≤ 0, which must stay valid.
   explicit RegionClipper(const Box& box, bool furthest = false, std::span<const double> halfspaces = {});
 
   struct Site {

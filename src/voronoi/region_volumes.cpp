@@ -3,12 +3,12 @@
 
 #include "base/parallel_parts.hpp"
 #include "base/quick_rounds.hpp"
+#include "base/spread.hpp"
 #include "particles/pass/cell_measure.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <utility>
 
 namespace delone::voronoi {
@@ -61,16 +61,13 @@ class RegionMeasurer {
   };
 
   void list_cells(std::size_t num_regions) {
-    offsets_.assign(num_regions + 2, 0);
-    for (const SignedIndex r : diagram_.cell_regions) ++offsets_[static_cast<std::size_t>(r) + 2];
-    std::partial_sum(offsets_.begin(), offsets_.end(), offsets_.begin());
-    cells_.resize(diagram_.cell_regions.size());
     internal::QuickRounds round;
-    for (std::size_t i = 0; i < cells_.size(); ++i) {
-      round();
-      cells_[offsets_[static_cast<std::size_t>(diagram_.cell_regions[i]) + 1]++] =
-          static_cast<Index>(i / size_);
-    }
+    internal::spread(num_regions, offsets_, cells_, [&](const auto& put) {
+      for (std::size_t i = 0; i < diagram_.cell_regions.size(); ++i) {
+        round();
+        put(static_cast<std::size_t>(diagram_.cell_regions[i]), static_cast<Index>(i / size_));
+      }
+    });
   }
 
   double measure(std::size_t region, Worker& worker) const {

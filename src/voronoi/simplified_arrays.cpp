@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The arrays of a simplified diagram: what is left once vertices have their representatives and thin ridges
 // are known.
+#include "base/spread.hpp"
 #include "kernel/linear_bound.hpp"
 #include "voronoi/diagram_simplifier.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace delone::voronoi {
 
@@ -110,16 +110,13 @@ void DiagramSimplifier::write_ridges(Diagram& out) const {
 void DiagramSimplifier::write_regions(Diagram& out) {
   const std::size_t num_regions = in_.num_regions();
   out.region_offsets_.assign(1, 0);
-  std::vector<std::size_t> starts(num_regions + 1, 0);
+  std::vector<std::size_t> starts;
   std::vector<SignedIndex> lists, list;
-  if (k_ > 1) {  // the ridges of each region
-    for (const SignedIndex row : out.ridge_points_) ++starts[region_of_row(row) + 1];
-    std::partial_sum(starts.begin(), starts.end(), starts.begin());
-    lists.resize(starts.back());
-    std::vector<std::size_t> next(starts.begin(), starts.end() - 1);
-    for (std::size_t end = 0; end < out.ridge_points_.size(); ++end)
-      lists[next[region_of_row(out.ridge_points_[end])]++] = static_cast<SignedIndex>(end / 2);
-  }
+  if (k_ > 1)  // the ridges of each region
+    internal::spread(num_regions, starts, lists, [&](const auto& put) {
+      for (std::size_t end = 0; end < out.ridge_points_.size(); ++end)
+        put(region_of_row(out.ridge_points_[end]), static_cast<SignedIndex>(end / 2));
+    });
   for (std::size_t r = 0; r < num_regions; ++r) {
     list.clear();
     if (k_ > 2) {

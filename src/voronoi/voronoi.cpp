@@ -10,6 +10,7 @@
 #include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
 #include "base/require_tolerance.hpp"
+#include "base/spread.hpp"
 #include "solve/simple_polytope.hpp"
 #include "voronoi/clipped_regions.hpp"
 #include "voronoi/diagram_simplifier.hpp"
@@ -61,17 +62,14 @@ double triangle_area(const double* o, const double* p, const double* q, std::siz
 struct Neighbors {
   std::vector<std::size_t> offsets, others;
 
-  explicit Neighbors(const Diagram& diagram) : offsets(diagram.num_regions() + 1, 0) {
+  explicit Neighbors(const Diagram& diagram) {
     const auto region = [&](std::size_t i) {
       return static_cast<std::size_t>(
           diagram.point_region()[static_cast<std::size_t>(diagram.ridge_points()[i])]);
     };
-    const std::size_t entries = diagram.ridge_points().size();
-    for (std::size_t i = 0; i < entries; ++i) ++offsets[region(i) + 1];
-    for (std::size_t r = 0; r < diagram.num_regions(); ++r) offsets[r + 1] += offsets[r];
-    others.resize(entries);
-    std::vector<std::size_t> next(offsets.begin(), offsets.end() - 1);
-    for (std::size_t i = 0; i < entries; ++i) others[next[region(i)]++] = region(i ^ 1);
+    internal::spread(diagram.num_regions(), offsets, others, [&](const auto& put) {
+      for (std::size_t i = 0; i < diagram.ridge_points().size(); ++i) put(region(i), region(i ^ 1));
+    });
   }
 };
 
@@ -338,16 +336,7 @@ void Diagram::require_ridges() const {
 
 void Diagram::check_box(const Box& box) const {
   require_ridges();
-  const auto wrong = [](const std::string& what) { throw Error(Errc::invalid_argument, "the box " + what); };
-  if (box.low.size() != ambient() || box.high.size() != ambient())
-    wrong("has not as many coordinates as the space, " + std::to_string(dimension_));
-  for (std::size_t j = 0; j < ambient(); ++j)
-    if (!std::isfinite(box.low[j]) || !std::isfinite(box.high[j]) || !(box.low[j] < box.high[j]))
-      wrong("must have finite limits, low below high, along axis " + std::to_string(j));
-  constexpr int largest_dimension = 12;  // 2^d corners
-  if (dimension_ > largest_dimension)
-    throw Error(Errc::unsupported,
-                "clipping to a box is available up to dimension " + std::to_string(largest_dimension));
+  voronoi::require_container(box, {}, dimension_);
 }
 
 bool Diagram::is_inside(std::size_t r, const Box& box) const {
@@ -408,17 +397,7 @@ ClippedRegions Diagram::clipped_regions(const Box& box, std::span<const double> 
   check_box(box);
   if (dimension_ != 2 && dimension_ != 3)
     throw Error(Errc::unsupported, "clipped regions as arrays are available in dimensions 2 and 3");
-  const std::size_t width = ambient() + 1;
-  if (halfspaces.size() % width != 0)
-    throw Error(Errc::invalid_argument, "halfspaces are rows of " + std::to_string(width) + " numbers");
-  for (std::size_t i = 0; i < halfspaces.size(); i += width) {
-    const auto row = halfspaces.subspan(i, width);
-    const auto is_zero = [](double x) { return x == 0; };
-    if (!std::all_of(row.begin(), row.end(), [](double x) { return std::isfinite(x); }) ||
-        std::all_of(row.begin(), row.end() - 1, is_zero))
-      throw Error(Errc::invalid_argument, "halfspace " + std::to_string(i / width) +
-                                              " needs finite numbers and a normal that is not 0");
-  }
+  voronoi::require_container(box, halfspaces, dimension_);
   return internal::guarded("the clipped regions", [&] {
     const Diagram& exact = exact_ != nullptr ? *exact_ : *this;
     const Neighbors neighbors(exact);

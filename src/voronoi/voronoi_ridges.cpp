@@ -4,6 +4,7 @@
 #include "base/compiler.hpp"
 #include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
+#include "base/spread.hpp"
 #include "voronoi/voronoi_builder.hpp"
 
 #include <delone/predicates.hpp>
@@ -237,17 +238,13 @@ void VoronoiBuilder::collect_ridges_by_region() {
   corners_ = {};
   neighbors_ = {};
   // The vertex list of a region still holds its finite cells.
-  std::vector<std::size_t> offsets(num_regions + 1, 0);
-  const auto for_each_infinite_corner = [&](auto&& visit) {
+  std::vector<std::size_t> offsets;
+  std::vector<Index> infinite_cells;
+  internal::spread(num_regions, offsets, infinite_cells, [&](const auto& put) {
     for (std::size_t place = cells_.size(); place < order.size(); ++place)
       for (std::size_t i = 1; i < corners; ++i)
-        visit(static_cast<std::size_t>(regions[place * corners + i]), static_cast<Index>(place));
-  };
-  for_each_infinite_corner([&](std::size_t r, Index) { ++offsets[r + 1]; });
-  for (std::size_t r = 0; r < num_regions; ++r) offsets[r + 1] += offsets[r];
-  std::vector<Index> infinite_cells(offsets.back());
-  std::vector<std::size_t> next(offsets.begin(), offsets.end() - 1);
-  for_each_infinite_corner([&](std::size_t r, Index place) { infinite_cells[next[r]++] = place; });
+        put(static_cast<std::size_t>(regions[place * corners + i]), static_cast<Index>(place));
+  });
 
   // If no cells merge, every finite cell contributes to an edge for each pair of its corners.
   out_.ridge_vertices_.reserve(cells_.size() * (corners * (corners - 1) / 2) + infinite_cells.size());

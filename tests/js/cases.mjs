@@ -199,6 +199,10 @@ function usage(delone) {
       equal(v.regionVolumesIn([0, 0], [1, 1]), [0.25, 0.25, 0.25, 0.25]);
       const cells = new Delaunay(square, 2).siteCells({ low: [0, 0], high: [1, 1] });
       equal(cells.volumes, [0.25, 0.25, 0.25, 0.25]);
+      equal(cells.vertices, undefined);
+      const polygons = new Delaunay(square, 2).siteCells({ low: [0, 0], high: [1, 1], properFaces: true, vertices: true });
+      equal(polygons.vertexOffsets, [0, 4, 8, 12, 16]);
+      equal([polygons.vertices.length, polygons.faceVertices.length], [32, 32]);
       const hulls = new delone.ConvexHulls([[0, 0], [1, 0], [0, 1], [0, 0], [1, 0], [1, 1]], [0, 3, 6]);
       equal(hulls.volumes, [0.5, 0.5]);
       equal(Math.abs(hulls.intersectionVolumes([[0, 1]])[0] - 0.25) < 1e-15, true);

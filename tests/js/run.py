@@ -66,7 +66,7 @@ def is_small(package):
 def types_name_all_members(package):
     """Whether index.d.ts has the members of each class, and no others."""
     text = (package / "index.d.ts").read_text(encoding="utf-8")
-    classes = {name: (base, set(re.findall(r"^  readonly (\w+):", body, re.M)))
+    classes = {name: (base, set(re.findall(r"^  readonly (\w+)\??:", body, re.M)))
                for name, base, body in re.findall(r"^(?:export|declare) class (\w+)(?: extends (\w+))? \{(\}|.*?^\})$", text, re.M | re.S)}
 
     def all_of(name):
@@ -77,10 +77,10 @@ def types_name_all_members(package):
       import * as d from "{(package / 'node.js').as_uri()}";
       const x = [[0, 0], [4, 0], [5, 3], [1, 4], [2, 2]], t = new d.Delaunay(x), r = new d.Regular(x, [0, 0, 0, 0, 0]), f = new d.FurthestSite(x);
       const hull = new d.ConvexHull(x, 2), box = new d.HalfspaceIntersection([[1, 0, -1], [-1, 0, -1], [0, 1, -1], [0, -1, -1]]), v = new d.Voronoi(t);
-      const all = [t, r, f, hull, box, v, new d.PowerDiagram(r), new d.FurthestVoronoi(f), t.alphaComplex(9), t.trim(0.1), t.check(), t.siteCells({{low: [0, 0], high: [9, 9]}}),
+      const all = [t, r, f, hull, box, v, new d.PowerDiagram(r), new d.FurthestVoronoi(f), t.alphaComplex(9), t.trim(0.1), t.check(), t.siteCells({{low: [0, 0], high: [9, 9], vertices: true}}),
         t.linearInterpolator([1, 2, 3, 4, 5]), new d.LowerHull(x), new d.UpperHull(x), new d.ConvexHulls(x, [0, 5]),
         ...[t, hull, box, v].map((one) => d.read(one.toBytes("npz"), "one.npz"))];
-      console.log(JSON.stringify(all.map((o) => [o.constructor.name, Object.keys(o.constructor.prototype)])));
+      console.log(JSON.stringify(all.map((o) => [o.constructor.name, [...Object.keys(o.constructor.prototype), ...Object.keys(o)]])));
     """
     found = subprocess.run(["node", "--input-type=module", "-e", program], stdout=subprocess.PIPE, check=True, text=True).stdout
     good = True

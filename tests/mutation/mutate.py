@@ -97,7 +97,7 @@ class Workshop:
                     if path == file or (all_sources and file in self.depends[path])]
         program = self.work / "mutant"
         # A library whose sources were joined has the rest of a file in the object of its neighbors: the first definition, the mutant's, is taken.
-        command = ["g++", "-Wl,--allow-multiple-definition", *map(str, objects), str(self.build / "src/libdelone.a"), "-lhwy", "-lfmt", "-o", str(program)]
+        command = ["g++", "-Wl,--allow-multiple-definition", *map(str, objects), str(self.build / "src/libdelone.a"), "-lhwy", "-lfmt", "-ltbb", "-lz", "-o", str(program)]
         if not is_campaign:
             command += ["-lgmock", "-lgtest", "-lgtest_main", "-lpthread"]
         done = subprocess.run(command, capture_output=True, text=True)
@@ -111,12 +111,12 @@ class Workshop:
 
 
 def list_places():
-    """Whether each mutant has one place in the sources."""
+    """Whether each mutant has one place in the sources, and its file has tests."""
     misplaced = 0
     for file, name, kind, old, _ in MUTANTS:
         places = (ROOT / file).read_text().count(old)
-        misplaced += places != 1
-        print(f"{file}\t{name}\t{kind}" + ("" if places == 1 else f"\t{places} places"))
+        misplaced += places != 1 or file not in TESTS
+        print(f"{file}\t{name}\t{kind}" + ("" if places == 1 else f"\t{places} places") + ("" if file in TESTS else "\tno tests"))
     return 1 if misplaced else 0
 
 

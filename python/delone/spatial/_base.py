@@ -102,8 +102,7 @@ class Incremental:
             flat = "result" if self._options.joggled else "error"
         if flat not in ("error", "result"):
             raise ValueError(f"flat: 'error' or 'result', not {_core._represented(flat)}")
-        self._flat = flat
-        self._incremental = bool(incremental)
+        self._set(_flat=flat, _incremental=bool(incremental))
         self._set_points(points.copy() if incremental else points)
         self._rebuild(self._points)
         if flat == "error":

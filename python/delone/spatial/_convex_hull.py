@@ -88,10 +88,9 @@ class ConvexHull(OfPoints):
 
     def __init__(self, points, incremental=False, qhull_options=None, *, tolerance=None, flat=None):
         points = as_points(points)
-        self._options = _options.parse(qhull_options, kind="hull", incremental=incremental)
+        self._set(_options=_options.parse(qhull_options, kind="hull", incremental=incremental), _wanted_tolerance=tolerance)
         if self._options.good_row is not None and self._options.good_row >= len(points):
             raise ValueError(f"Qhull option {_core._represented(f'QG{self._options.good_row}')}: there are {len(points)} points")
-        self._wanted_tolerance = tolerance
         self._start(points, incremental, flat)
 
     def _without_good_row(self, rows):
@@ -147,10 +146,10 @@ class ConvexHull(OfPoints):
         return self._core.num_points + (self._options.good_row is not None)
 
     def _update(self):
-        rows = self._without_good_row(np.arange(self.npoints, dtype=np.intc))
-        core = self._core
-        if self._core_rows is not None:
-            rows = rows[self._core_rows]
+        core, rows = self._core, self._core_rows
+        if rows is None or self._options.good_row is not None:
+            every = self._without_good_row(np.arange(self.npoints, dtype=np.intc))
+            rows = every if rows is None else every[rows]
         extreme = core.vertices
         sorted_rows = np.sort(rows[extreme])
         shown = core

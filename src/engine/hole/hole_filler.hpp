@@ -128,6 +128,12 @@ class HoleFiller {
       const Start start = find_start(border[f]);
       if (start == Start::nowhere) continue;
       const int slot = border[f].slot;
+      if (is_star && start == Start::inside && is_on_hull_now(slot)) {
+        found_.reserve(1);
+        found_.add(source_.data(), slot, 0, f);
+        origins_.push_back({none, slot});
+        continue;
+      }
       const std::uint32_t number = add_functions();
       if (!exact) search_.solve(source_.data(), functions(number));
       found_.reserve(1);
@@ -162,9 +168,20 @@ class HoleFiller {
     return Start::outside;
   }
   bool is_positive(std::span<const Index> numbers) {
-    simplex_.resize(width());
-    std::transform(numbers.begin(), numbers.end(), simplex_.begin(), [&](Index n) { return hole_.id(n); });
+    set_simplex(numbers.data());
     return geometry_.orientation(simplex_.data()) == Sign::positive;
+  }
+  void set_simplex(const Index* numbers) {
+    simplex_.resize(width());
+    std::transform(numbers, numbers + width(), simplex_.begin(), [&](Index n) { return hole_.id(n); });
+  }
+  /// Whether facet `slot` of the source, which is at the border, is one of the hull without the vertex that
+  /// goes, as is easily seen where it lies in a side of the box of all others. There may be thousands of
+  /// these.
+  bool is_on_hull_now(int slot) {
+    if (hole_.num_finite() == hole_.num_cells()) return false;
+    set_simplex(source_.data());
+    return geometry_.is_in_side_of_box(simplex_.data(), slot);
   }
 
   /// Where the functions of a finite cell are: with those of the cell that it was found from. One step of
@@ -233,8 +250,8 @@ class HoleFiller {
           contenders_.push_back(hole_.id(candidate));
       }
     }
-    simplex_.resize(width());
-    for (std::size_t j = 0; j < width(); ++j) simplex_[j] = hole_.id(source[j]);
+    set_simplex(source);
+    geometry_.drop_coplanar(simplex_.data(), slot, contenders_);
     const Index first =
         first_of_contenders(simplex_.data(), slot, is_odd ? Sign::negative : Sign::positive, counts);
     return first == invalid_index ? first : hole_.number(first);

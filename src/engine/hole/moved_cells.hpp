@@ -6,14 +6,17 @@
 #include "base/stage_counts.hpp"
 #include "engine/cell_store.hpp"
 #include "engine/conflict.hpp"
+#include "engine/create_functionals.hpp"
 #include "engine/geometry_concept.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <new>
 #include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace delone::engine {
@@ -163,7 +166,25 @@ class MovedCells {
   std::vector<FacetToTest> facets_;
 };
 
-/// The same in another thread than that of the geometry.
+/// Recomputes what is cached for all cells, many at a time.
+template <int K, Geometry G>
+void renew_all_functionals(const CellStore<K>& cells, G& geometry) noexcept {
+  constexpr std::size_t batch_size = MovedCells<K, G>::batch_size;
+  try {
+    MovedCells<K, G> moved(cells, geometry);
+    std::array<Index, batch_size> batch;
+    std::size_t count = 0;
+    for (Index cell = 0; cell < cells.num_slots(); ++cell) {
+      if (!cells.is_vacant(cell)) batch[count++] = cell;
+      if (count == batch_size || cell + 1 == cells.num_slots())
+        moved.compute({batch.data(), std::exchange(count, 0)});
+    }
+  } catch (const std::bad_alloc&) {
+    create_functionals(cells, geometry);
+  }
+}
+
+/// Cells whose vertices have moved, in another thread than that of the geometry.
 template <int K, Geometry G>
 struct MovedCellsOfThread {
   MovedCellsOfThread(const CellStore<K>& all, const G& shared)

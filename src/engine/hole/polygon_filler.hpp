@@ -11,6 +11,7 @@
 #include "engine/hole/star_in_plane.hpp"
 #include "engine/sphere.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -50,25 +51,34 @@ class PolygonFiller {
     std::uint32_t first, last, triangle;
     int slot;
   };
-  /// A cell that has been found, and its neighbors.
+  /// A cell that has been found: the numbers of its vertices around the border, and its neighbors.
   struct Triangle {
-    std::array<Index, 3> vertices, neighbors;
+    std::array<std::uint32_t, 3> corners;
+    std::array<Index, 3> neighbors;
   };
   /// What a cell of a rebuild costs, and an exact comparison, in looks at a vertex.
   static constexpr std::size_t looks_per_cell = 50, per_exact_test = 100;
   static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
 
+  void make_room(std::size_t num_sectors) {
+    created_.resize(num_sectors - 2);
+    if (ring_.size() >= num_sectors) return;
+    within_.resize(2 * num_sectors);
+    triangles_.resize(2 * num_sectors);
+    polygons_.resize(2 * num_sectors);
+    rows_.resize(2 * num_sectors);
+    ring_.resize(2 * num_sectors);  // last, so that it tells what there is room for
+  }
+
   bool find_triangles(const G& geometry, StageCounts& counts) {
     const std::span<const StarInPlane::Sector> sectors = star_.sectors();
-    ring_.clear();
-    for (const StarInPlane::Sector& sector : sectors) ring_.push_back(sector.vertex);
-    created_.resize(sectors.size());  // for now, the cells within the edges of the border
-    triangles_.clear();
+    make_room(sectors.size());
+    std::transform(sectors.begin(), sectors.end(), ring_.begin(), [](const auto& s) { return s.vertex; });
     const auto last = static_cast<std::uint32_t>(sectors.size()) - 1;
-    polygons_.assign(1, {0, last, none, 0});
-    while (!polygons_.empty()) {
-      const Polygon polygon = polygons_.back();
-      polygons_.pop_back();
+    polygons_[0] = {0, last, none, 0};
+    std::size_t num_polygons = 1;  // that are left
+    for (std::uint32_t number = 0; num_polygons > 0; ++number) {
+      const Polygon polygon = polygons_[--num_polygons];
       std::uint32_t apex = polygon.first + 1;
       if (const std::size_t count = polygon.last - apex; count > 1) {
         const std::uint64_t exact_before = counts.exact;
@@ -80,20 +90,23 @@ class PolygonFiller {
         looks_left_ -= looks;
         if (count > 1024) internal::cancellation_point();
       }
-      const auto number = static_cast<std::uint32_t>(triangles_.size());
       const Index cell = sectors[number].cell;
-      triangles_.push_back({{ring_[polygon.first], ring_[apex], ring_[polygon.last]}, {}});
+      Triangle& triangle = triangles_[number];
+      triangle.corners = {polygon.first, apex, polygon.last};
       if (polygon.triangle == none) {
-        triangles_[number].neighbors[1] = sectors[last].survivor;
-        created_[last] = cell;
+        triangle.neighbors[1] = sectors[last].survivor;
+        within_[last] = cell;
       } else {
-        triangles_[number].neighbors[1] = sectors[polygon.triangle].cell;
+        triangle.neighbors[1] = sectors[polygon.triangle].cell;
         triangles_[polygon.triangle].neighbors[static_cast<std::size_t>(polygon.slot)] = cell;
       }
       const auto go_on = [&](std::uint32_t from, std::uint32_t to, int slot) {
-        if (to > from + 1) return polygons_.push_back({from, to, number, slot});
-        triangles_[number].neighbors[static_cast<std::size_t>(slot)] = sectors[from].survivor;
-        created_[from] = cell;
+        if (to > from + 1) {
+          polygons_[num_polygons++] = {from, to, number, slot};
+          return;
+        }
+        triangle.neighbors[static_cast<std::size_t>(slot)] = sectors[from].survivor;
+        within_[from] = cell;
       };
       go_on(polygon.first, apex, 2);
       go_on(apex, polygon.last, 0);
@@ -109,7 +122,7 @@ class PolygonFiller {
     if (!sphere.log().is_on()) return;
     dying_.clear();
     for (const StarInPlane::Sector& sector : star_.sectors()) dying_.push_back(sector.cell);
-    sphere.log().reserve_new(triangles_.size());
+    sphere.log().reserve_new(created_.size());
     sphere.log().note(sphere.cells(), dying_);
   }
 
@@ -117,28 +130,34 @@ class PolygonFiller {
     CellStore<2>& cells = sphere.cells();
     const std::span<const StarInPlane::Sector> sectors = star_.sectors();
     for (std::size_t i = 0; i < sectors.size(); ++i)
-      cells.neighbors(sectors[i].survivor)[sectors[i].mirror] = created_[i];
-    created_.resize(triangles_.size());
-    for (std::size_t i = 0; i < triangles_.size(); ++i) {
+      cells.neighbors(sectors[i].survivor)[sectors[i].mirror] = within_[i];
+    for (std::size_t i = 0; i < sectors.size(); ++i)
+      sphere.geometry().write_row_of(sectors[i].vertex, rows_[i].data());
+    for (std::size_t i = 0; i < created_.size(); ++i) {
       const Triangle& triangle = triangles_[i];
       const Index cell = created_[i] = sectors[i].cell;
+      std::array<double, 9> rows;
       for (std::size_t slot = 0; slot < 3; ++slot) {
-        cells.set_vertex(cell, static_cast<int>(slot), triangle.vertices[slot]);
+        cells.set_vertex(cell, static_cast<int>(slot), ring_[triangle.corners[slot]]);
         cells.neighbors(cell)[slot] = triangle.neighbors[slot];
+        std::copy_n(rows_[triangle.corners[slot]].data(), 3, rows.data() + 3 * slot);
       }
-      sphere.geometry().create(cell, triangle.vertices.data(), -1, 0);
+      sphere.geometry().create_triangle(cell, rows.data());
     }
-    for (std::size_t i = triangles_.size(); i < sectors.size(); ++i) cells.release(sectors[i].cell);
+    for (std::size_t i = created_.size(); i < sectors.size(); ++i) cells.release(sectors[i].cell);
     sphere.log().note_new(std::span<const Index>(created_));
-    sphere.effort().created_cells += triangles_.size();
+    sphere.effort().created_cells += created_.size();
     sphere.workspace().last_cell = created_.front();
   }
 
   StarInPlane star_;
   std::size_t looks_left_ = 0;
-  std::vector<Index> ring_;  // the vertices of the border
-  std::vector<Polygon> polygons_;
+  // At least as many as sectors:
+  std::vector<Index> ring_;    // the vertices of the border
+  std::vector<Index> within_;  // the new cells within its edges
   std::vector<Triangle> triangles_;
+  std::vector<Polygon> polygons_;
+  std::vector<std::array<double, 3>> rows_;  // of the vertices of the border
   std::vector<Index> created_, dying_;
 };
 

@@ -15,6 +15,7 @@
 #include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
 #include "engine/change.hpp"
+#include "engine/hole/edge_flips.hpp"
 #include "engine/hole/moved_cells.hpp"
 #include "engine/hole/refill.hpp"
 #include "engine/hole/star_in_plane.hpp"
@@ -24,9 +25,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <new>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -51,9 +52,10 @@ class Relocation {
   Change relocate(Index v, Index cell) {
     bad_.clear();
     seeds_.clear();
-    if (!find_bad_cells_of_star(v, cell)) return {Outcome::costly};
-    if (2 * seeds_.size() > around_.size()) return {Outcome::costly};  // removing the vertex costs no more
-    if (!fill_one_hole()) return {Outcome::costly};
+    num_saved_ = 0;
+    if constexpr (K == 2)
+      if (!geometry_.may_hide()) return relocate_by_flips(v, cell);
+    if (!find_bad_cells_of_star(v, cell) || !fill_one_hole()) return {Outcome::costly};
     around_.insert(around_.end(), hole_.begin(), hole_.end());
     return {Outcome::done, v, around_, hole_.empty() ? std::span<const Index>() : filler_.created()};
   }
@@ -78,19 +80,11 @@ class Relocation {
     if (!covers_once(threads, find_inside)) return {Outcome::costly};
     return {Outcome::done, invalid_index, {}, created_};
   }
-  /// After a relocation that was too costly, when the vertex is where it was: computes the functionals of its
-  /// cells again.
+  /// After a relocation that was too costly, when the vertex is where it was: its cells get their functionals
+  /// back.
   void take_back() noexcept {
-    if constexpr (K == 2) {
-      for (const Index cell : around_) create_functional(cells_, geometry_, cell);
-      return;
-    }
-    try {
-      for (std::size_t i = 0; i < around_.size(); i += batch_size)
-        moved_cells_.compute({around_.data() + i, std::min(batch_size, around_.size() - i)});
-    } catch (const std::bad_alloc&) {
-      for (const Index cell : around_) create_functional(cells_, geometry_, cell);
-    }
+    for (std::size_t i = 0; i < num_saved_; ++i)
+      geometry_.put_back(around_[i], saved_.data() + i * (width() + 1));
   }
 
  private:
@@ -102,23 +96,72 @@ class Relocation {
   int dimension() const { return cells_.dimension(); }
   std::size_t width() const { return static_cast<std::size_t>(dimension()) + 1; }
 
+  /// In the plane, where no vertex can be hidden: keeps the vertex if it is inside the polygon of its star.
+  Change relocate_by_flips(Index v, Index cell) requires(K == 2) {
+    flips_.begin();
+    if (!find_star_in_plane(v, cell)) return {Outcome::costly};
+    find_bad_edges(v);
+    if (flips_.is_empty()) return {Outcome::done, v, around_, {}};
+    sphere_.workspace().clear();
+    constexpr std::size_t flips_per_cell = 4;
+    around_.reserve((1 + 2 * flips_per_cell) * star_.size());  // nothing must fail when cells have changed
+    if (!flips_.run(sphere_, moved_cells_, flips_per_cell * star_.size())) return {Outcome::costly};
+    around_.insert(around_.end(), flips_.flipped().begin(), flips_.flipped().end());
+    return {Outcome::done, v, around_, flips_.flipped()};
+  }
+  void find_bad_edges(Index v) requires(K == 2) {
+    const std::span<const StarInPlane::Sector> sectors = star_.sectors();
+    const StarInPlane::Sector* before = &sectors[sectors.size() - 2];
+    const StarInPlane::Sector* last = &sectors.back();
+    for (const StarInPlane::Sector& sector : sectors) {
+      if (!is_locally_delaunay({sector.cell, sector.survivor, cells_.vertex(sector.survivor, sector.mirror)}))
+        flips_.add(sector.cell, cells_.slot_of_vertex(sector.cell, v));
+      if (!is_locally_delaunay(
+              {before->cell, last->cell, sector.vertex}))  // where the edge of the last one ends
+        flips_.add(before->cell, cells_.slot_of_neighbor(before->cell, last->cell));
+      before = std::exchange(last, &sector);
+    }
+  }
+  /// The star of a vertex, with new functionals. Returns false if one of its cells is infinite or not
+  /// positively oriented.
+  bool find_star_in_plane(Index v, Index cell) requires(K == 2) {
+    const bool is_inside = star_.find(cells_, geometry_, v, cell);
+    around_.clear();
+    for (const StarInPlane::Sector& sector : star_.sectors()) around_.push_back(sector.cell);
+    return is_inside && may_stay_in_plane(v) && renew_star_in_plane();
+  }
+
   /// Finds the cells of a vertex, computes their functionals, and finds those that are bad now. Returns false
-  /// if one of them is infinite or not positively oriented.
+  /// if one of them is infinite or not positively oriented, or if so many are bad that removing the vertex
+  /// costs no more.
   bool find_bad_cells_of_star(Index v, Index cell) {
-    if constexpr (K == 2) {
-      const bool is_inside = star_.find(cells_, geometry_, v, cell);
-      around_.clear();
-      for (const StarInPlane::Sector& sector : star_.sectors()) around_.push_back(sector.cell);
-      if (!is_inside || !renew_star_in_plane()) return false;
-      find_bad_cells_in_plane();
-    } else {
-      if (!find_star(v, cell) || !renew_star()) return false;
-      find_bad_cells();
+    if constexpr (K == 2)
+      return find_star_in_plane(v, cell) && find_bad_cells_in_plane();
+    else
+      return find_star(v, cell) && renew_star() && find_bad_cells();
+  }
+  bool are_too_many_bad() const { return 2 * seeds_.size() > around_.size(); }
+  /// Keeps the functionals of the star for take_back().
+  void save_functionals() {
+    saved_.resize(around_.size() * (width() + 1));
+    for (std::size_t i = 0; i < around_.size(); ++i)
+      geometry_.save(around_[i], saved_.data() + i * (width() + 1));
+    num_saved_ = around_.size();
+  }
+  /// Whether no edge around the vertex has it on the wrong side for certain.
+  bool may_stay_in_plane(Index v) const requires(K == 2) {
+    const std::span<const StarInPlane::Sector> sectors = star_.sectors();
+    Index to = sectors.front().vertex;
+    for (std::size_t i = sectors.size(); i-- > 0;) {
+      const Index from = sectors[i].vertex;
+      if (geometry_.certain_side(from, to, v) == Sign::negative) return false;
+      to = from;
     }
     return true;
   }
   /// Stars of the plane have few cells, which are faster one by one.
   bool renew_star_in_plane() requires(K == 2) {
+    save_functionals();
     for (const StarInPlane::Sector& sector : star_.sectors()) {
       geometry_.prefetch_row(cells_.vertex(sector.survivor, sector.mirror));
       const auto vertices = cells_.vertices(sector.cell);
@@ -129,7 +172,7 @@ class Relocation {
     }
     return true;
   }
-  void find_bad_cells_in_plane() requires(K == 2) {
+  bool find_bad_cells_in_plane() requires(K == 2) {
     const std::span<const StarInPlane::Sector> sectors = star_.sectors();
     const auto test = [&](const FacetToTest& facet) {
       if (!is_locally_delaunay(facet)) add_bad(facet);
@@ -140,7 +183,9 @@ class Relocation {
       test({sector.cell, sector.survivor, cells_.vertex(sector.survivor, sector.mirror)});
       test({before->cell, last->cell, sector.vertex});  // where the edge of the last one ends
       before = std::exchange(last, &sector);
+      if (are_too_many_bad()) return false;
     }
+    return true;
   }
 
   /// Returns false as soon as a cell of the star is infinite.
@@ -164,6 +209,7 @@ class Relocation {
 
   /// Returns false if a cell of the star is not positively oriented.
   bool renew_star() {
+    save_functionals();
     bool are_positive = true;
     for (std::size_t i = 0; i < around_.size() && are_positive; i += batch_size) {
       internal::cancellation_point();
@@ -188,7 +234,7 @@ class Relocation {
   }
 
   /// The cells on both sides of facets where those of the star are not locally Delaunay.
-  void find_bad_cells() {
+  bool find_bad_cells() {
     for (const Index cell : around_) {
       if (++calls_ % 1024 == 0) internal::cancellation_point();
       for (int slot = 0; slot <= dimension(); ++slot) {
@@ -197,7 +243,9 @@ class Relocation {
         if (const FacetToTest facet = moved_cells_.facet_to(cell, neighbor); !is_locally_delaunay(facet))
           add_bad(facet);
       }
+      if (are_too_many_bad()) return false;
     }
+    return true;
   }
 
   /// Whether few of some cells, evenly spaced, are bad. If more are, holes grow into each other, and to
@@ -419,7 +467,11 @@ class Relocation {
   HoleFiller<K, G>& filler_;
   MovedCells<K, G> moved_cells_;
   StarInPlane star_;
-  std::vector<Index> around_;          // the cells of a vertex
+  struct None {};
+  [[no_unique_address]] std::conditional_t<K == 2, EdgeFlips<G>, None> flips_;
+  std::vector<Index> around_;  // the cells of a vertex
+  std::vector<double> saved_;  // what was cached for the first num_saved_ of them
+  std::size_t num_saved_ = 0;
   internal::StampedTable around_set_;  // the same
   internal::StampedTable bad_;         // the states of cells
   std::vector<Index> seeds_, hole_, created_;

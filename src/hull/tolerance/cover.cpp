@@ -5,6 +5,7 @@
 #include "hull/tolerance/cover.hpp"
 
 #include "base/infinity.hpp"
+#include "hull/tolerance/simplex_projection.hpp"
 #include "kernel/determinant.hpp"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ namespace {
 constexpr std::size_t most_neighbors = 256;  // more are not worth a look
 constexpr std::size_t most_rounds = 64;
 constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
-constexpr std::size_t most_first = 12;  // kept points to begin with when one is dropped
+constexpr std::size_t most_first = 16;  // kept points to begin with when one is dropped
 
 /// An upper bound on the length of a direction; 0 if it is too long or too short to prove anything.
 double length_up(std::span<const double> n) {
@@ -96,6 +97,22 @@ bool Cover::look(Index p, std::span<const Index> pool) {
   if (state.is_covered)
     for (const Index v : state.face) users_[v].push_back(p);
   return state.is_covered;
+}
+
+/// Whether p is within the tolerance of its projection into the simplex of d points, as far as that is easily
+/// seen; if so, they are a witness now.
+bool Cover::project(Index p, std::span<const Index> corners) {
+  const auto d = static_cast<std::size_t>(dimension_);
+  pool_points_.clear();
+  for (const Index v : corners) pool_points_.push_back(points_[v]);
+  State& state = states_[p];
+  const auto distance = project_into_simplex(pool_points_, points_[p], normals_.data() + p * d);
+  if (!distance || *distance > tolerance_) return false;
+  state.upper = *distance;
+  state.face.assign(corners.begin(), corners.end());
+  state.is_covered = true;
+  for (const Index v : corners) users_[v].push_back(p);
+  return true;
 }
 
 /// The normal of p: from the point that was found to p.
@@ -251,6 +268,17 @@ bool Cover::is_far_along_normals(Index p, std::span<const Index> points) {
   return length > 0 && tree_->support(points_[p], mean_, local_).certain > least_beyond(length);
 }
 
+/// Sets the kept points to begin with, each once: those in the witnesses that lose the dropped one. They are
+/// all around it.
+void Cover::find_first_of_drop(std::span<const Index> covered) {
+  first_of_drop_.clear();
+  for (const Index u : covered)
+    for (const Index v : states_[u].face)
+      if (states_[v].is_kept && first_of_drop_.size() < most_first && std::exchange(marks_[v], 1) == 0)
+        first_of_drop_.push_back(v);
+  for (const Index v : first_of_drop_) marks_[v] = 0;
+}
+
 /// Whether p, no longer kept, and all whose witnesses it was in are covered; if not, nothing has changed.
 /// kept_ still holds it.
 bool Cover::can_drop(Index p) {
@@ -263,9 +291,7 @@ bool Cover::can_drop(Index p) {
   concerned.erase(std::unique(concerned.begin() + 1, concerned.end()), concerned.end());
   states_[p].is_kept = false;
   tree_->erase(p);
-  first_of_drop_.clear();
-  for (std::size_t i = 1; i < concerned.size() && first_of_drop_.size() < most_first; ++i)
-    for (const Index v : states_[concerned[i]].face) first_of_drop_.push_back(v);
+  find_first_of_drop(std::span(concerned).subspan(1));
   if (is_far_along_normals(p, std::span(concerned).subspan(1))) {
     states_[p].is_kept = true;
     tree_->insert(p);

@@ -34,7 +34,9 @@ class Cover {
   void keep(Index p);
   /// Looks for the point nearest to p, which is not kept, in the hull of d kept ones: a witness if near
   /// enough, and then p is not kept any more. REQUIRES a complete() that allows all points.
-  void approach(Index p, std::span<const Index> kept) { look(p, kept); }
+  void approach(Index p, std::span<const Index> kept) {
+    if (!project(p, kept)) look(p, kept);
+  }
   /// Keeps further points of those that are `allowed`, farthest first, until all are covered. Returns false
   /// if that is impossible.
   bool complete(const std::vector<char>& allowed);
@@ -55,6 +57,7 @@ class Cover {
   };
 
   void plant();
+  bool project(Index p, std::span<const Index> corners);
   bool look(Index p, std::span<const Index> pool);
   void find_local(Index p);
   enum class Step { covered, nearer, far };
@@ -64,6 +67,7 @@ class Cover {
   bool cover(Index p, double enough);
   bool add_witness_of(Index p, const std::vector<char>& allowed);
   double least_beyond(double length) const;
+  void find_first_of_drop(std::span<const Index> covered);
   bool is_far_along_normals(Index p, std::span<const Index> points);
   bool can_drop(Index p);
   void refine(Index p);

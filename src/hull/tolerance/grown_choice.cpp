@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull/tolerance/grown_choice.hpp"
 
+#include "base/compiled_dimension.hpp"
 #include "hull/cell_cones.hpp"
 #include "hull/growing_flat.hpp"
 #include "hull/hull_state.hpp"
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 namespace delone::hull {
 
@@ -91,7 +93,8 @@ class Growth {
     std::size_t cell = 0, count = 0;
     for (const Index p : order_) {
       if (++count % between_signs_of_life == 0) alive_();
-      const double sum = walk(cones, p, cell);
+      const double sum = internal::with_compiled_dimension<2, 4>(
+          d_, [&](auto dimension) { return walk<dimension()>(cones, p, cell); });
       cell_of_[p] = static_cast<Index>(cell);
       if (is_kept_[p] != 0 || !(sum > 1)) continue;
       if (heights[cell] == 0) heights[cell] = height_of(cones.inverse(cell));
@@ -101,8 +104,7 @@ class Growth {
           (distance > best.distance || (distance == best.distance && p < best.point)))
         best = {distance, p};
     }
-    std::stable_sort(order_.begin(), order_.end(),
-                     [&](Index a, Index b) { return cell_of_[a] < cell_of_[b]; });
+    sort_by_cells(m);
     std::vector<Index> found;
     for (const Farthest& each : farthest)
       if (each.point != invalid_index) found.push_back(each.point);
@@ -110,24 +112,36 @@ class Growth {
     return found;
   }
 
+  /// Puts the points of a cell together; they stay in their order.
+  void sort_by_cells(std::size_t num_cells) {
+    std::vector<std::size_t> next(num_cells + 1, 0);
+    for (const Index cell : cell_of_) ++next[cell + std::size_t{1}];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    std::vector<Index> sorted(order_.size());
+    for (const Index p : order_) sorted[next[cell_of_[p]]++] = p;
+    order_ = std::move(sorted);
+  }
+
   /// Walks from a cell to the one whose cone contains p. Returns the sum of the weights there, which is more
   /// than 1 if p is beyond the cell.
+  template <int D>
   double walk(CellCones& cones, Index p, std::size_t& cell) {
+    const std::size_t d = D > 0 ? static_cast<std::size_t>(D) : d_;
     const double* const center = state_.boundary()->center().data();
-    for (std::size_t j = 0; j < d_; ++j) difference_[j] = points_[p][j] - center[j];
+    for (std::size_t j = 0; j < d; ++j) difference_[j] = points_[p][j] - center[j];
     double sum = 0;
     for (int step = 0; step < longest_walk; ++step) {
       const double* const inverse = cones.inverse(cell);
       double least = 0;
-      std::size_t across = d_;
+      std::size_t across = d;
       sum = 0;
-      for (std::size_t i = 0; i < d_; ++i) {
+      for (std::size_t i = 0; i < d; ++i) {
         double w = 0;
-        for (std::size_t j = 0; j < d_; ++j) w += inverse[i * d_ + j] * difference_[j];
+        for (std::size_t j = 0; j < d; ++j) w += inverse[i * d + j] * difference_[j];
         sum += w;
         if (w < least) least = w, across = i;
       }
-      if (across == d_) return sum;
+      if (across == d) return sum;
       cell = cones.hull().neighbors_of(cell)[across];
     }
     return sum;

@@ -6,6 +6,7 @@
 #include "hull/growing_shell.hpp"
 #include "hull/point_sieve.hpp"
 #include "hull/sieve_kernel.hpp"
+#include "hull/site_normals.hpp"
 #include "kernel/determinant.hpp"
 #include "kernel/nearest_in_hull.hpp"
 
@@ -44,7 +45,6 @@ class Search {
   static constexpr std::size_t most_work = std::size_t{1} << 20;
 
   HullState& shell() { return sieve_.shell(); }
-  const Boundary& boundary() { return *shell().boundary(); }
 
   /// Let h be the least height of a simplex of points. A flat of fewer dimensions is farther than
   /// h/(2·(d+1)) from one of them: the simplex is no thinner than h/(d+1) in any direction. With the bounds
@@ -56,21 +56,6 @@ class Search {
     const double extent = *std::max_element(reach.begin(), reach.end());
     const double height = nearest_.least_height_down(simplex, static_cast<int>(d_));
     return height > 8 * static_cast<double>(d_ + 1) * tolerance_ && height > extent * 0x1p-16;
-  }
-
-  /// For each vertex the sum of the unit normals of its cells.
-  std::vector<double> directions() {
-    const HullState& state = shell();
-    const SimplicialHull& hull = state.hull();
-    std::vector<double> sums(state.sites().size() * d_, 0.0), normal(d_);
-    for (std::size_t c = 0; c < hull.num_cells(); ++c) {
-      const double threshold = compiled::hyperplane(*boundary().engine(), hull.slots[c], normal.data());
-      const double length = std::sqrt(std::inner_product(normal.begin(), normal.end(), normal.begin(), 0.0));
-      if (!(threshold < 0x1p-20 && length > 0 && length < internal::infinity)) continue;
-      for (const Index site : hull.cell(c))
-        for (std::size_t j = 0; j < d_; ++j) sums[site * d_ + j] += normal[j] / length;
-    }
-    return sums;
   }
 
   /// A point v is farther than the tolerance from the hull of others if all computed n·(v − w) exceed this;
@@ -146,7 +131,7 @@ class Search {
 
   bool all_are_necessary() {
     const BoundarySites& sites = shell().sites();
-    const std::vector<double> sums = directions();
+    const std::vector<double> sums = sums_of_normals(shell());
     const std::vector<char> are = are_necessary(sums);
     std::vector<const double*> others;
     std::vector<double> direction(d_);

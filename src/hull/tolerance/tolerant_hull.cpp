@@ -5,10 +5,12 @@
 #include "hull/growing_flat.hpp"
 #include "hull/hull_analysis.hpp"
 #include "hull/scaled_sites.hpp"
+#include "hull/site_normals.hpp"
 #include "hull/tolerance/vertex_choice.hpp"
 
 #include <algorithm>
 #include <functional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -36,6 +38,34 @@ std::vector<Index> well_spread_first(const BoundarySites& sites, std::vector<Ind
   return vertices;
 }
 
+/// For each site the sum of the normals of its cells, where axes are scaled. Computed when first asked for.
+class OutwardDirections {
+ public:
+  OutwardDirections(const HullState& exact, const internal::AxisScale& scale)
+      : exact_(exact), scale_(scale) {}
+
+  std::span<const double> operator()(Index site) {
+    if (!is_known_) compute();
+    const auto d = static_cast<std::size_t>(exact_.sites().ambient);
+    return sums_.empty() ? std::span<const double>() : std::span(sums_).subspan(site * d, d);
+  }
+
+ private:
+  /// Products with scaled points are those of the normals divided by the factors.
+  void compute() {
+    is_known_ = true;
+    sums_ = sums_of_normals(exact_);
+    const std::span<const double> factors = scale_.factors();
+    for (std::size_t i = 0; i < sums_.size() && !factors.empty(); ++i)
+      sums_[i] /= factors[i % factors.size()];
+  }
+
+  const HullState& exact_;
+  const internal::AxisScale& scale_;
+  bool is_known_ = false;
+  std::vector<double> sums_;
+};
+
 }  // namespace
 
 TolerantHull::TolerantHull(const HullState& exact, const internal::AxisScale& scale, const Options& options,
@@ -56,13 +86,11 @@ TolerantHull::TolerantHull(const HullState& exact, const internal::AxisScale& sc
     choice = std::move(in_flat->vertices);
     axes = std::move(in_flat->axes);
   } else {
-    choice = choose_vertices(sites, extreme, scale.tolerance(), alive);
+    choice = choose_vertices(sites, extreme, scale.tolerance(), alive, OutwardDirections(exact, scale));
     // The cells of the exact hull may have corners in the middle of its faces.
-    std::vector<Index> corners = exact.hull().cells;
-    std::sort(corners.begin(), corners.end());
-    const auto end = std::unique(corners.begin(), corners.end());
-    const auto num_corners = static_cast<std::size_t>(end - corners.begin());
-    if (choice.sites.size() == num_corners) return;
+    std::vector<char> is_corner(sites.size(), 0);
+    for (const Index site : exact.hull().cells) is_corner[site] = 1;
+    if (std::ssize(choice.sites) == std::count(is_corner.begin(), is_corner.end(), 1)) return;
   }
   max_distance_ = choice.max_distance;
   Options quiet;

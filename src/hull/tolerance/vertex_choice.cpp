@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace delone::hull {
 namespace {
@@ -26,16 +25,13 @@ std::vector<const double*> points_of(const BoundarySites& sites, const ExtremeSi
   return points;
 }
 
-/// Whether the direction from the mean of the neighbors to v proves that the distance of v from their hull
-/// exceeds the tolerance: it is at least the least n·(v − w), divided by |n|. A computed n·(v − w) is off by
-/// at most γ(d+1) of the sum of the absolute products; underflow of those is far below the absolute term,
-/// and n is longer than 2^−400.
-bool is_far_along_mean(std::span<const double* const> neighbors, const double* v, std::size_t d,
-                       double tolerance, std::vector<double>& n) {
-  n.assign(d, 0.0);
-  const double share = 1 / static_cast<double>(neighbors.size());
-  for (const double* w : neighbors)
-    for (std::size_t j = 0; j < d; ++j) n[j] += (v[j] - w[j]) * share;
+/// Whether a direction n proves that the distance of v from the hull of its neighbors exceeds the tolerance:
+/// it is at least the least n·(v − w), divided by |n|. A computed n·(v − w) is off by at most γ(d+1) of the
+/// sum of the absolute products; underflow of those is far below the absolute term, and n is longer than
+/// 2^−400.
+bool is_far_along(std::span<const double> n, std::span<const double* const> neighbors, const double* v,
+                  double tolerance) {
+  const std::size_t d = n.size();
   double square = 0;
   for (const double x : n) square += x * x;
   const double length = std::sqrt(square) * (1 + static_cast<double>(d + 4) * kernel::unit_roundoff);
@@ -53,14 +49,23 @@ bool is_far_along_mean(std::span<const double* const> neighbors, const double* v
   });
 }
 
+/// The direction from the mean of the neighbors to v.
+void set_mean_direction(std::span<const double* const> neighbors, const double* v, std::vector<double>& n) {
+  std::fill(n.begin(), n.end(), 0.0);
+  const double share = 1 / static_cast<double>(neighbors.size());
+  for (const double* w : neighbors)
+    for (std::size_t j = 0; j < n.size(); ++j) n[j] += (v[j] - w[j]) * share;
+}
+
 /// Notes which of the extreme sites are necessary, by their places. Examines each `step`-th one.
 void find_necessary(const BoundarySites& sites, const ExtremeSites& extreme, double tolerance,
-                    std::size_t step, std::vector<char>& necessary, const std::function<void()>& alive) {
+                    std::size_t step, std::vector<char>& necessary, const std::function<void()>& alive,
+                    const DirectionOf& direction_of = {}) {
   const std::size_t h = extreme.size();
   std::vector<char> marks(h, 0);
   std::vector<Index> neighbors;
   std::vector<const double*> points;
-  std::vector<double> scratch;
+  std::vector<double> mean(static_cast<std::size_t>(sites.ambient));
   Cover distances({}, sites.ambient, tolerance, {}, {});
   for (std::size_t v = 0; v < h; v += step) {
     alive();
@@ -77,9 +82,10 @@ void find_necessary(const BoundarySites& sites, const ExtremeSites& extreme, dou
     points.clear();
     for (const Index w : neighbors) points.push_back(sites.point(extreme.site(w)));
     const double* const point = sites.point(extreme.site(v));
-    necessary[v] =
-        is_far_along_mean(points, point, static_cast<std::size_t>(sites.ambient), tolerance, scratch) ||
-        distances.exceeds(points, point);
+    set_mean_direction(points, point, mean);
+    necessary[v] = is_far_along(mean, points, point, tolerance) ||
+                   (direction_of && is_far_along(direction_of(extreme.site(v)), points, point, tolerance)) ||
+                   distances.exceeds(points, point);
   }
 }
 
@@ -158,9 +164,10 @@ bool is_far_from_flats(GrowingFlat flat, int dimension, double tolerance) {
 }  // namespace
 
 ExtremeSites::ExtremeSites(const BoundarySites& sites, const Lists& facet_sites) {
-  sites_ = facet_sites.items;
-  std::sort(sites_.begin(), sites_.end());
-  sites_.erase(std::unique(sites_.begin(), sites_.end()), sites_.end());
+  std::vector<char> is_extreme(sites.size(), 0);
+  for (const Index site : facet_sites.items) is_extreme[site] = 1;
+  for (Index site = 0; site < sites.size(); ++site)
+    if (is_extreme[site] != 0) sites_.push_back(site);
   std::sort(sites_.begin(), sites_.end(),
             [&](Index a, Index b) { return is_less(sites.point(a), sites.point(b), sites.ambient); });
   std::vector<Index> place_of(sites.size(), invalid_index);
@@ -171,13 +178,7 @@ ExtremeSites::ExtremeSites(const BoundarySites& sites, const Lists& facet_sites)
     facets_ = {};
     facets_.add(std::vector<Index>{0, 1});
   }
-  facets_of_.offsets.assign(sites_.size() + 1, 0);
-  for (const Index place : facets_.items) ++facets_of_.offsets[place + std::size_t{1}];
-  std::partial_sum(facets_of_.offsets.begin(), facets_of_.offsets.end(), facets_of_.offsets.begin());
-  std::vector<std::size_t> next(facets_of_.offsets.begin(), facets_of_.offsets.end() - 1);
-  facets_of_.items.resize(facets_.items.size());
-  for (std::size_t f = 0; f < facets_.size(); ++f)
-    for (const Index place : facets_[f]) facets_of_.items[next[place]++] = static_cast<Index>(f);
+  facets_of_ = lists_with_each(facets_, sites_.size());
 }
 
 void ExtremeSites::add_neighbors(std::size_t place, std::vector<char>& marks,
@@ -188,15 +189,16 @@ void ExtremeSites::add_neighbors(std::size_t place, std::vector<char>& marks,
 }
 
 VertexChoice choose_vertices(const BoundarySites& sites, const ExtremeSites& extreme, double tolerance,
-                             const std::function<void()>& alive) {
+                             const std::function<void()>& alive, const DirectionOf& direction_of) {
   std::vector<char> necessary(extreme.size(), 0);
   constexpr std::size_t sample = 256;
   const std::size_t step = extreme.size() / sample + 1;
-  find_necessary(sites, extreme, tolerance, step, necessary, alive);
+  // The directions of all may cost more than a sample.
+  find_necessary(sites, extreme, tolerance, step, necessary, alive, step == 1 ? direction_of : nullptr);
   const auto found = static_cast<std::size_t>(std::count(necessary.begin(), necessary.end(), 1));
   // Where few of a sample are necessary, the others that are will be kept anyway, and cannot be dropped.
   const bool is_grown = 2 * found * step < extreme.size() && grows(sites, extreme.size());
-  if (!is_grown) find_necessary(sites, extreme, tolerance, 1, necessary, alive);
+  if (!is_grown && step > 1) find_necessary(sites, extreme, tolerance, 1, necessary, alive, direction_of);
   if (std::find(necessary.begin(), necessary.end(), 0) == necessary.end()) return {extreme.sites(), 0};
   Cover cover(
       points_of(sites, extreme), sites.ambient, tolerance,

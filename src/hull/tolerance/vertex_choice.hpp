@@ -13,6 +13,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace delone::hull {
@@ -42,6 +43,10 @@ struct VertexChoice {
   double max_distance = 0;   ///< of a point from the hull of those is at most this, and this ≤ tolerance
 };
 
+/// A direction in which a site may be so much farther than its neighbors that this proves it to be necessary;
+/// it then needs no search. May be empty, or of no numbers.
+using DirectionOf = std::function<std::span<const double>(Index site)>;
+
 /// Chooses from the extreme sites. A site is *necessary* if its distance from the hull of the others exceeds
 /// the tolerance. Necessary sites are kept, and if few of a sample are and there are many sites in few
 /// dimensions, those of grown_choice.hpp. Then, while a site is more than the tolerance outside of the hull
@@ -61,13 +66,13 @@ struct VertexChoice {
 /// a pyramid over P′, and all other vertices share a facet with v. (With k = 1 they do not; the ends of a
 /// segment count as neighbors.)
 ///
-/// Cost: O(h·d) for h sites if a direction from the neighbors' mean proves them all to be necessary. A site
-/// that is not costs a search of the nearest point among neighbors, and, if these do not cover it, a few
-/// searches for the farthest kept point in a direction, each O(log h) on data that are not very degenerate,
-/// whenever its distance has fallen. After a grown choice most sites are within the tolerance of a cell that
-/// is known, and need one search.
+/// Cost: O(h·d) for h sites if directions, from the neighbors' mean or given, prove them all to be necessary.
+/// A site that is not costs a search of the nearest point among neighbors, and, if these do not cover it, a
+/// few searches for the farthest kept point in a direction, each O(log h) on data that are not very
+/// degenerate, whenever its distance has fallen. After a grown choice most sites are within the tolerance of
+/// a cell that is known, and need one search.
 VertexChoice choose_vertices(const BoundarySites& sites, const ExtremeSites& extreme, double tolerance,
-                             const std::function<void()>& alive);
+                             const std::function<void()>& alive, const DirectionOf& direction_of = {});
 
 /// A flat of lower dimension than the points that all of them are near to.
 struct NearFlatChoice {

@@ -68,6 +68,21 @@ void require_all_rows(const Data& data, const std::string& name) {
                   {row});
 }
 
+/// A file of data as arrays, or as `put(file)` writes it in another format.
+template <class Data, class Put>
+void write_file(const std::string& path, const std::string& format, const Data& data, const Put& put) {
+  refuse_binary_output(path, format);
+  AtomicFile file(path);
+  if (format == "npz")
+    write_npz(file, data);
+  else if (format == "json")
+    write_json(file, data);
+  else
+    put(file);
+  file.commit();
+}
+constexpr auto no_other_format = [](AtomicFile&) {};
+
 const std::initializer_list<std::string_view> complex_formats{"npz", "vtu", "off", "ply", "json",
                                                               "svg", "txt", "npy", "html"};
 
@@ -87,19 +102,16 @@ void write(const std::string& path, const ComplexData& data, const std::string& 
     io::require_all_rows(data, name);
     io::require_finite(data.points, data.dimension, name);
     io::require_finite(data.weights, 1, name + ": weights");
-    io::refuse_binary_output(path, chosen);
     if (chosen != "npz" && chosen != "json" && chosen != "txt" && chosen != "npy")
       io::require_rows_in_range(data, name);
-    io::AtomicFile file(path);
-    if (chosen == "npz") io::write_npz(file, data);
-    if (chosen == "vtu") io::write_vtu(file, data);
-    if (chosen == "off") io::write_off(file, data);
-    if (chosen == "ply") io::write_ply(file, data);
-    if (chosen == "json") io::write_json(file, data);
-    if (chosen == "svg") io::write_svg(file, data);
-    if (chosen == "txt") io::write_qhull_cells(file, data);
-    if (chosen == "npy") io::write_cells_npy(file, data);
-    file.commit();
+    io::write_file(path, chosen, data, [&](io::AtomicFile& file) {
+      if (chosen == "vtu") io::write_vtu(file, data);
+      if (chosen == "off") io::write_off(file, data);
+      if (chosen == "ply") io::write_ply(file, data);
+      if (chosen == "svg") io::write_svg(file, data);
+      if (chosen == "txt") io::write_qhull_cells(file, data);
+      if (chosen == "npy") io::write_cells_npy(file, data);
+    });
   });
 }
 
@@ -120,11 +132,7 @@ void write(const std::string& path, const HullData& data, const std::string& for
       if (data.tolerance == 0) boundary.kind = DataKind::hull_boundary;
       return write(path, boundary, chosen);
     }
-    io::refuse_binary_output(path, chosen);
-    io::AtomicFile file(path);
-    if (chosen == "npz") io::write_npz(file, data);
-    if (chosen == "json") io::write_json(file, data);
-    file.commit();
+    io::write_file(path, chosen, data, io::no_other_format);
   });
 }
 
@@ -135,12 +143,7 @@ void write(const std::string& path, const IntersectionData& data, const std::str
   io::guarded(name, [&] {
     io::validate(data, name);
     if (chosen == "html") return write_text(path, to_html(data));
-    io::refuse_binary_output(path, chosen);
-    io::AtomicFile file(path);
-    if (chosen == "npz") io::write_npz(file, data);
-    if (chosen == "json") io::write_json(file, data);
-    if (chosen == "off") io::write_off(file, data);
-    file.commit();
+    io::write_file(path, chosen, data, [&](io::AtomicFile& file) { io::write_off(file, data); });
   });
 }
 
@@ -151,11 +154,7 @@ void write(const std::string& path, const VoronoiData& data, const std::string& 
   io::guarded(name, [&] {
     io::validate(data, name);
     io::require_all_rows(data, name);
-    io::refuse_binary_output(path, chosen);
-    io::AtomicFile file(path);
-    if (chosen == "npz") io::write_npz(file, data);
-    if (chosen == "json") io::write_json(file, data);
-    file.commit();
+    io::write_file(path, chosen, data, io::no_other_format);
   });
 }
 

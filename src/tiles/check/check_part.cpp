@@ -6,7 +6,6 @@
 #include "tiles/part_file.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <numeric>
@@ -123,13 +122,6 @@ void check_covered_once(const CheckedPart& part, const internal::Examined& exami
 }
 
 }  // namespace
-
-std::string rows_text(const CheckedPart& part, std::size_t cell) {
-  std::vector<std::int64_t> rows;
-  for (std::size_t i = 0; i < part.corners(); ++i)
-    rows.push_back(part.row(part.data.cells[cell * part.corners() + i]));
-  return fmt::format("{{{}}}", fmt::join(rows, ", "));
-}
 
 std::size_t check_part(const CheckedPart& part, Reference& reference, bool canonical, unsigned threads,
                        Findings& findings) {

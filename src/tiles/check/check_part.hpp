@@ -98,9 +98,6 @@ struct CheckedPart {
   }
 };
 
-/// The rows of a cell for a message: "{3, 17, 20}".
-std::string rows_text(const CheckedPart& part, std::size_t cell);
-
 /// Examines part after part: levels 1, 2, 4 and 5 as far as one part tells. Returns the ties.
 std::size_t check_part(const CheckedPart& part, Reference& reference, bool canonical, unsigned threads,
                        Findings& findings);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // From an input to a folder of parts: survey, cut, pages, one tile after the other, seams.
 #include "base/platform.hpp"
-#include "base/progress_meter.hpp"
 #include "base/random.hpp"
 #include "complex/canonical_hash.hpp"
 #include "io/file.hpp"
@@ -268,13 +267,9 @@ class Run {
 std::string hash_of_rows(PointStream& points, const TilesOptions& options) {
   const ProgressScope scope(options.progress);
   std::uint64_t hash = 0;
-  std::vector<double> rows;
-  points.rewind();
-  while (points.next(rows)) {
-    internal::cancellation_point();
-    for (std::size_t at = 0; at < rows.size(); at += static_cast<std::size_t>(points.dimension()))
-      hash = random::mix(hash ^ complex::point_tag(&rows[at], points.dimension()).low);
-  }
+  each_point(points, [&](const double* row) {
+    hash = random::mix(hash ^ complex::point_tag(row, points.dimension()).low);
+  });
   return fmt::format("rows of {} numbers, of hash {:016x}", points.dimension(), hash);
 }
 

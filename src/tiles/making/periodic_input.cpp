@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tiles/making/periodic_input.hpp"
 
-#include "base/progress_meter.hpp"
 #include "kernel/predicates.hpp"
 #include "periodic/periodic_hash.hpp"
 
@@ -24,16 +23,6 @@ periodic::SetInput input_of_set(int row_size, const TilesOptions& options) {
   input.is_weighted = options.weighted;
   input.unit = options.unit;
   return input;
-}
-
-void each_point(PointStream& points, const std::function<void(const double*)>& visit) {
-  std::vector<double> rows;
-  points.rewind();
-  while (points.next(rows)) {
-    internal::cancellation_point();
-    for (std::size_t at = 0; at < rows.size(); at += static_cast<std::size_t>(points.dimension()))
-      visit(&rows[at]);
-  }
 }
 
 periodic::PeriodicSet make_set(PointStream& points, const TilesOptions& options) {

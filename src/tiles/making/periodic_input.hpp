@@ -23,9 +23,6 @@ namespace delone::tiles {
 /// Throws bad_dimension if the lattice has another dimension.
 periodic::SetInput input_of_set(int row_size, const TilesOptions& options);
 
-/// Visits the points of a stream from its beginning.
-void each_point(PointStream& points, const std::function<void(const double*)>& visit);
-
 /// Reads the points once if the lattice has less than d vectors. Throws as PeriodicTriangulation.
 periodic::PeriodicSet make_set(PointStream& points, const TilesOptions& options);
 

@@ -144,10 +144,8 @@ class PeriodicSurroundings final : public Surroundings {
   }
   bool is_within_period(const double* center, double radius) const override {
     for (std::size_t i = 0; i < set_.rank; ++i) {
-      const double middle = set_.period.fraction(i, center),
-                   width = radius * set_.period.gradient_length(i) * (1 + 0x1p-40) +
-                           set_.period.fraction_slack(i, center) + 2 * extent_.fraction_slack(i);
-      if (!(middle - width > 0 && middle + width < 1)) return false;
+      const periodic::Extent::Range range = extent_.fractions_in_ball(i, center, radius);
+      if (!(range.low > 0 && range.high < 1)) return false;
     }
     return true;
   }

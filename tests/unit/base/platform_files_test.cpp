@@ -130,16 +130,5 @@ TEST(FileLock, IsHeldOnceAtATime) {
   }
 }
 
-TEST(PlatformFiles, TellWhetherThereIsRoom) {
-  const test::MemoryFolder folder;
-  const std::string path = folder.file("room");
-  EXPECT_EQ(platform::find_no_room(path.c_str(), 100000), 0);
-  EXPECT_FALSE(std::filesystem::exists(path));
-  if (!platform::maps_memory) GTEST_SKIP();
-  EXPECT_NE(platform::find_no_room(path.c_str(), std::uint64_t{1} << 62), 0);
-  EXPECT_FALSE(std::filesystem::exists(path));
-  EXPECT_NE(platform::find_no_room((path + "/nowhere").c_str(), 1), 0);
-}
-
 }  // namespace
 }  // namespace delone::internal

@@ -78,6 +78,16 @@ TEST(HullAnalysis, CellsHaveTheExtremePointsAsVertices) {
   }
 }
 
+// They need no facets, which with this tolerance have vertices of their own that are joined.
+TEST(HullAnalysis, CellsWithATolerance) {
+  const HullState state = state_of(3, {0, 0, 0, 4, 0, 0, 0, 4, 0, 4, 4, 0.25, 2, 2, 3});
+  const HullAnalysis hull(state, {internal::AxisScale(0.5), 0.25});
+  EXPECT_LT(hull.faces().num_facets(), state.hull().num_cells());
+  EXPECT_THAT(hull.cells().vertices, ElementsAre(0, 1, 2, 3, 4));
+  EXPECT_EQ(hull.cells().vertices, hull.data().vertices);
+  EXPECT_EQ(hull.num_extreme(), hull.count(extreme));
+}
+
 TEST(HullAnalysis, OfALatticeCube) {
   const HullState state = state_of(3, test::lattice(3, 3).points);
   const HullAnalysis hull(state);

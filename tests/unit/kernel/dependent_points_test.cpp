@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -31,6 +32,13 @@ class AlmostLattice {
   }
   double& coordinate(std::size_t point, std::size_t axis) { return points_[point][axis]; }
   bool is_proved() const { return is_on_sphere_of_others(flat(), pointers().data(), points_.back().data()); }
+  /// Of the simplex of all points but the last.
+  bool is_proved_flat() const {
+    return is_flat_without_one(flat(), pointers().data() + 1, points_[0].data());
+  }
+  bool is_flat() const {
+    return exact_orientation(flat(), pointers().data() + 1, points_[0].data()) == Sign::zero;
+  }
   bool is_true() const {
     return exact_sphere(flat(), pointers().data(), points_.back().data()) == Sign::zero;
   }
@@ -65,6 +73,26 @@ TEST(DependentPoints, AreOnOneSphereWithAnyOther) {
   }
 }
 
+TEST(DependentPoints, MakeFlatSimplicesWithAnyOther) {
+  std::mt19937_64 random(3);
+  for (std::size_t k = 2; k <= 6; ++k) {
+    std::size_t num_proved = 0, num_others = 0;
+    for (const double unit : {1.0, 0x1p-40, 0x1p450, 0x1p-450, 0x1p-1000, 0x1p1000})
+      for (std::size_t round = 0; round < test::scaled_size(200, 60); ++round) {
+        const std::size_t odd = random() % (k + 2);
+        AlmostLattice points(k, odd, unit, random);
+        ASSERT_EQ(points.is_proved_flat() && !points.is_flat(), false) << k << ' ' << unit;
+        const bool is_moderate = unit >= 0x1p-450 && unit <= 0x1p450;
+        if (is_moderate && odd <= k) {
+          ASSERT_EQ(points.is_proved_flat(), points.is_flat()) << k << ' ' << unit;
+        }
+        ++(points.is_proved_flat() ? num_proved : num_others);
+      }
+    EXPECT_GT(num_proved, 10u) << k;
+    EXPECT_GT(num_others, 10u) << k;
+  }
+}
+
 TEST(DependentPoints, OffTheLatticeByAnUlpAreNotProved) {
   std::mt19937_64 random(2);
   for (std::size_t k = 2; k <= 6; ++k)
@@ -74,6 +102,21 @@ TEST(DependentPoints, OffTheLatticeByAnUlpAreNotProved) {
       x = std::nextafter(x, random() % 2 ? 4 : -4);
       EXPECT_TRUE(!points.is_proved() || points.is_true());
     }
+}
+
+TEST(DependentPoints, MayBeThousandsOfUnitsApart) {
+  constexpr std::array axes{0, 1, 2};
+  for (const double unit : {1.0, 0x1p-40, 0x1p450}) {
+    // The corners of a square, and a point off their grid.
+    double points[][3] = {{0, 0, 0}, {1501, 1001, 0}, {-1001, 1501, 0}, {500, 2502, 0}, {0.3, 0.7, 0.1}};
+    for (double(&point)[3] : points)
+      for (double& x : point) x *= unit;
+    std::array<std::size_t, 5> order{0, 1, 2, 3, 4};
+    do {
+      const double* const cell[] = {points[order[0]], points[order[1]], points[order[2]], points[order[3]]};
+      EXPECT_TRUE(is_on_sphere_of_others(Flat{3, axes}, cell, points[order[4]]));
+    } while (std::next_permutation(order.begin(), order.end()));
+  }
 }
 
 TEST(DependentPoints, OfOtherKindsNothingIsSaid) {

@@ -61,6 +61,16 @@ TEST(GrowingSites, RowsCanHaveNoneAtFirst) {
   EXPECT_EQ(sites.site_of_row(4), invalid_index);
 }
 
+TEST(GrowingSites, EarlierRowsAreTheFirstOfTheirSites) {
+  const std::vector<double> rows = {1, 2, 3, 4, 3, 6, 5, 5};
+  GrowingSites sites(2, kernel::RowForm::homogeneous);
+  const std::vector<Index> having_site = {2, 3};
+  sites.add_rows(rows, &having_site);
+  sites.give_sites(std::vector<Index>{0, 1}, [&](Index row) { return &rows[2 * row]; });
+  EXPECT_THAT(sites_of_rows(sites), ElementsAre(0, 2, 0, 1));
+  EXPECT_THAT(rows_of_sites(sites), ElementsAre(0, 3, 1));
+}
+
 TEST(GrowingSites, AreTakenBack) {
   GrowingSites sites(1);
   sites.add_rows(std::vector<double>{1, 2, 1});

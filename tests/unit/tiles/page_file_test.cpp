@@ -244,16 +244,6 @@ TEST_F(PageFiles, TablesComeBack) {
       EXPECT_EQ(table.tiles[t].low, made.table.tiles[t].low);
       EXPECT_EQ(table.tiles[t].high, made.table.tiles[t].high);
     }
-    write_survey(path("survey"), made.survey);
-    const Survey survey = read_survey(path("survey"));
-    EXPECT_EQ(survey.num_points, made.survey.num_points);
-    EXPECT_EQ(survey.affine_dimension, made.survey.affine_dimension);
-    EXPECT_EQ(survey.low, made.survey.low);
-    EXPECT_EQ(survey.high, made.survey.high);
-    EXPECT_EQ(survey.lowest_weight, made.survey.lowest_weight);
-    EXPECT_EQ(survey.largest_weight, made.survey.largest_weight);
-    EXPECT_EQ(survey.landmarks, made.survey.landmarks);
-    EXPECT_EQ(survey.landmark_rows, made.survey.landmark_rows);
   }
 }
 
@@ -268,7 +258,6 @@ TEST_F(PageFiles, TablesShowDamage) {
     EXPECT_THROW(read_page_table(file("changed", changed)), Error) << at;
     EXPECT_THROW(read_page_table(file("changed", whole.substr(0, at))), Error) << at;
   }
-  EXPECT_THROW(read_survey(path("table")), Error);
   EXPECT_THROW(read_page_table(path("nothing")), Error);
 }
 

@@ -2,7 +2,7 @@
 // A hole around a vertex is filled with the cells that there were without the vertex.
 #include "engine/hole/refill.hpp"
 
-#include "engine_support.hpp"
+#include "../engine_support.hpp"
 
 #include "base/random.hpp"
 

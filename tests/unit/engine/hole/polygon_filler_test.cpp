@@ -2,7 +2,7 @@
 // Removing an inner vertex in the plane leaves the triangles of the set without it.
 #include "engine/hole/polygon_filler.hpp"
 
-#include "engine_support.hpp"
+#include "../engine_support.hpp"
 
 #include "base/random.hpp"
 

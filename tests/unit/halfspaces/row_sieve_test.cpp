@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The route with the sieve and the one without give the same intersection: of random halfspaces, of such that
 // touch it or miss that by one unit in the last place, and at the ends of the range.
-#include "halfspaces/sites_to_insert.hpp"
+#include "halfspaces/row_sieve.hpp"
 
 #include "degenerate.hpp"
+
+#include <delone/halfspaces.hpp>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
-#include <numeric>
 #include <vector>
 
 namespace delone::halfspaces {
@@ -51,24 +53,22 @@ void expect_same(const Halfspaces& given) {
   EXPECT_EQ(canonical(a), canonical(b));
 }
 
-/// The number of sites that are left out. Each site is inserted or left out, once.
-std::size_t count_inner(const Halfspaces& given) {
+/// The number of rows that are removed. Each row with a normal stays or is removed, once.
+std::size_t count_removed(const Halfspaces& given) {
   const auto d = static_cast<std::size_t>(given.dimension);
-  IntersectionParts parts(d);
-  parts.interior.rounded = given.point;
-  parts.sites.axes.resize(d + 1);
-  std::iota(parts.sites.axes.begin(), parts.sites.axes.end(), 0);
-  std::vector<Index> all_rows(given.rows.size() / (d + 1));
-  std::iota(all_rows.begin(), all_rows.end(), Index{0});
-  parts.add_rows(given.rows, all_rows);
-  const SitesToInsert sites = sites_to_insert(parts, 1, {});
-  std::vector<Index> all = sites.order;
-  all.insert(all.end(), sites.inner.begin(), sites.inner.end());
-  std::sort(all.begin(), all.end());
-  std::vector<Index> expected(parts.sites.size() - 1);
-  std::iota(expected.begin(), expected.end(), Index{1});
-  EXPECT_EQ(all, expected);
-  return sites.inner.size();
+  InteriorPoint point;
+  point.rounded = given.point;
+  std::vector<Index> all;
+  for (Index row = 0; row * (d + 1) < given.rows.size(); ++row)
+    if (std::any_of(&given.rows[row * (d + 1)], &given.rows[row * (d + 1)] + d,
+                    [](double x) { return x != 0; }))
+      all.push_back(row);
+  std::vector<Index> staying = all;
+  const std::vector<Index> removed = remove_redundant(given.rows, point, {}, staying);
+  std::vector<Index> both;
+  std::merge(staying.begin(), staying.end(), removed.begin(), removed.end(), std::back_inserter(both));
+  EXPECT_EQ(both, all);
+  return removed.size();
 }
 
 /// Halfspaces at distances from 1 to 1 + depth of the origin.
@@ -112,37 +112,37 @@ Halfspaces touching_a_cube(int d, std::uint64_t seed) {
   return result;
 }
 
-TEST(SitesToInsert, LeavesOutRedundantHalfspaces) {
+TEST(RowSieve, RemovesRedundantHalfspaces) {
   for (int d = 2; d <= 4; ++d) {
     const Halfspaces deep = at_distances(d, 1, 7);
-    EXPECT_GT(count_inner(deep), d < 4 ? many / 2 : many / 8) << d;
+    EXPECT_GT(count_removed(deep), d < 4 ? many / 2 : many / 8) << d;
     expect_same(deep);
     if (d == 4) break;
     const Halfspaces cube = touching_a_cube(d, 3);
-    EXPECT_GT(count_inner(cube), many / 2) << d;
+    EXPECT_GT(count_removed(cube), many / 2) << d;
     expect_same(cube);
   }
   const Halfspaces shallow = at_distances(2, 1e-9, 5);
-  count_inner(shallow);
+  count_removed(shallow);
   expect_same(shallow);
 }
 
-TEST(SitesToInsert, OfUnboundedIntersectionsAndCopies) {
+TEST(RowSieve, OfUnboundedIntersectionsAndCopies) {
   Halfspaces half = at_distances(3, 1, 9);
   for (std::size_t i = 2; i < half.rows.size(); i += 4) half.rows[i] = -std::fabs(half.rows[i]);
-  EXPECT_GT(count_inner(half), many / 4);
+  EXPECT_GT(count_removed(half), many / 4);
   expect_same(half);
   Halfspaces twice = at_distances(3, 1, 9);
   for (std::size_t i = 0; i < many * 4; ++i) twice.rows.push_back(2 * twice.rows[i]);
   expect_same(twice);
 }
 
-TEST(SitesToInsert, AtTheEndsOfTheRange) {
+TEST(RowSieve, AtTheEndsOfTheRange) {
   Halfspaces scaled = at_distances(3, 1, 2);
   for (std::size_t r = 0; r < many; ++r)
     for (std::size_t j = 0; j < 4; ++j)
       scaled.rows[r * 4 + j] *= r % 3 == 0 ? 0x1p-900 : r % 3 == 1 ? 0x1p900 : 1;
-  EXPECT_GT(count_inner(scaled), many / 2);
+  EXPECT_GT(count_removed(scaled), many / 2);
   expect_same(scaled);
   // Dual points between 2⁻⁷⁰⁰ and 2⁷⁰⁰, some of them beyond the range of doubles.
   for (const double far : {0x1p700, 0x1p1000}) {
@@ -151,12 +151,43 @@ TEST(SitesToInsert, AtTheEndsOfTheRange) {
     for (std::size_t r = 1; r < many; r += 5) spread.rows[r * 3 + 2] *= far;
     if (far > 0x1p900)
       for (std::size_t j = 0; j < 2; ++j) spread.rows[j] *= 0x1p100;
-    count_inner(spread);
+    count_removed(spread);
     expect_same(spread);
   }
 }
 
-TEST(SitesToInsert, LaterRowsMayComeCloser) {
+bool same_vertices(const IntersectionVertices& some, const IntersectionData& all) {
+  return some.bounded == all.bounded && some.vertices == all.vertices &&
+         some.vertex_offsets == all.vertex_offsets && some.vertex_halfspaces == all.vertex_halfspaces;
+}
+
+// Whether or not redundant rows have sites yet.
+TEST(RowSieve, VerticesAreThoseOfAllArrays) {
+  Halfspaces open = at_distances(3, 1, 9);
+  for (std::size_t i = 2; i < open.rows.size(); i += 4) open.rows[i] = -std::fabs(open.rows[i]);
+  for (const Halfspaces& given :
+       {at_distances(2, 1, 7), at_distances(4, 1, 7), touching_a_cube(3, 3), open}) {
+    const HalfspaceIntersection all(given.rows, given.dimension, given.point);
+    const IntersectionVertices before = all.to_vertices();
+    const std::size_t num_cells = all.num_cells();
+    EXPECT_TRUE(same_vertices(before, all.clone().data()));
+    EXPECT_TRUE(same_vertices(before, all.data()));
+    EXPECT_TRUE(same_vertices(all.to_vertices(), all.data()));
+    EXPECT_EQ(all.num_cells(), num_cells);
+    EXPECT_EQ(all.dual_volume().value, all.clone().dual_volume().value);
+  }
+}
+
+// The first of equal rows is removed, and a later one on its ray may stay.
+TEST(RowSieve, FirstRowsOfRays) {
+  Halfspaces given = at_distances(3, 1, 9);
+  for (std::size_t i = 0; i < many * 4; ++i) given.rows.push_back(given.rows[i] * 3);
+  for (std::size_t i = 0; i < many * 4; ++i) given.rows[i] /= 7;
+  for (std::size_t i = 0; i < many * 4; ++i) given.rows.push_back(given.rows[i] * 7);
+  expect_same(given);
+}
+
+TEST(RowSieve, LaterRowsMayComeCloser) {
   const Halfspaces deep = at_distances(3, 1, 6);
   HalfspaceIntersection all(deep.rows, 3, deep.point);
   std::vector<double> more = at_distances(3, 1, 8).rows;

@@ -2,7 +2,7 @@
 // Cells that fill a hole are linked, and wrong links are noticed.
 #include "engine/hole/hole_cells.hpp"
 
-#include "engine_support.hpp"
+#include "../engine_support.hpp"
 
 #include "base/random.hpp"
 
