@@ -62,7 +62,7 @@ class Walls {
     for (const Index site : hull_.cells) is_vertex_[site] = 1;
     for (Index w = 0; w < walls_.size(); ++w) {
       const auto cell = hull_.cell(cells_of_wall()[w][0]);
-      for (std::size_t axis = 0; axis < cell.size(); ++axis) {
+      for (const int axis : sites_.axes) {  // none of these coordinates is the same everywhere in the flat
         const double value = point(cell[0])[axis];
         if (std::all_of(cell.begin(), cell.end(), [&](Index site) { return point(site)[axis] == value; }))
           axis_parallel_.push_back({axis, value, w});
@@ -109,7 +109,7 @@ class Walls {
   };
   /// A wall in the hyperplane of a coordinate with this value.
   struct AxisParallel {
-    std::size_t axis;
+    int axis;
     double value;
     Index wall;
   };

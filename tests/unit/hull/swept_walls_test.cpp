@@ -13,8 +13,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 #include <set>
+#include <string>
 
 namespace delone::hull {
 namespace {
@@ -108,6 +110,32 @@ TEST(SweptWalls, ChangeNoCellOfTurnedWalls) {
     rows[i + 2] = -0.6 * y + 0.8 * z;
   }
   expect_same(rows, 3);
+}
+
+// In a flat one more coordinate is constant, or another one again, or the sum of all, on any axis.
+TEST(SweptWalls, ChangeNoCellOfFlatSets) {
+  const std::size_t n = test::scaled_size(2000, 1100);
+  for (int d = 2; d <= 3; ++d) {
+    Coordinates rows = cube(d, n / 4, n, static_cast<std::size_t>(d), 15);
+    for (double& x : rows) x = std::nearbyint(64 * x);  // sums are exact
+    const auto size = static_cast<std::size_t>(d);
+    for (std::size_t axis = 0; axis <= size; ++axis)
+      for (const std::string kind : {"zero", "constant", "again", "sum"}) {
+        Coordinates flat;
+        for (std::size_t i = 0; i < rows.size(); i += size) {
+          std::vector<double> row(rows.begin() + static_cast<std::ptrdiff_t>(i),
+                                  rows.begin() + static_cast<std::ptrdiff_t>(i + size));
+          const double more = kind == "zero"       ? 0
+                              : kind == "constant" ? 5
+                              : kind == "again"    ? row[1]
+                                                   : std::accumulate(row.begin(), row.end(), 0.0);
+          row.insert(row.begin() + static_cast<std::ptrdiff_t>(axis), more);
+          flat.insert(flat.end(), row.begin(), row.end());
+        }
+        SCOPED_TRACE(testing::Message() << d << ' ' << axis << ' ' << kind);
+        expect_same(flat, d + 1);
+      }
+  }
 }
 
 /// All points of Z^d with Σ|x_j| ≤ size and, if it is a pyramid, x_0 ≥ 0: walls that are parallel to no axis
