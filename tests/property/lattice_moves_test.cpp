@@ -11,6 +11,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
+#include <map>
 #include <random>
 #include <span>
 #include <vector>
@@ -91,6 +93,57 @@ TEST(LatticeMoves, LeadToTheCellsOfAConstruction) {
         ASSERT_NO_FATAL_FAILURE(expect_moves<Regular<>>(d, sides[d], seed));
       }
     }
+}
+
+/// Batches, moves and removals in turn, of few points of a small lattice, some of them off it.
+void expect_edits(int d, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  SCOPED_TRACE(testing::Message() << d << "D, seed " << seed);
+  const auto size = static_cast<std::size_t>(d);
+  const auto point = [&] {
+    std::vector<double> x(size);
+    for (double& entry : x) entry = static_cast<double>(random() % 8);
+    if (random() % 4 == 0) x[random() % size] += 1e-12 * static_cast<double>(random() % 3);
+    return x;
+  };
+  std::map<std::size_t, std::vector<double>> points;  // by row
+  std::size_t num_rows = 0;
+  const auto batch = [&](std::size_t count) {
+    std::vector<double> rows;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::vector<double>& x = points[num_rows++] = point();
+      rows.insert(rows.end(), x.begin(), x.end());
+    }
+    return rows;
+  };
+  Delaunay<> edited(batch(size + 3), d);
+  for (int step = 0; step < 30; ++step) {
+    const auto kind = points.empty() ? 0 : random() % 4;
+    if (kind == 0) {
+      edited.insert_range(batch(1 + random() % 4));
+    } else {
+      const auto at = std::next(points.begin(), static_cast<std::ptrdiff_t>(random() % points.size()));
+      if (kind == 1) {
+        edited.remove(at->first);
+        points.erase(at);
+      } else {
+        std::vector<double> to = at->second;
+        if (kind == 2) to[random() % size] += 1e-9;
+        else to = point();
+        edited.move(at->first, std::span<const double>(to));
+        at->second = to;
+      }
+    }
+    std::vector<double> left;
+    for (const auto& [row, x] : points) left.insert(left.end(), x.begin(), x.end());
+    ASSERT_EQ(edited.hash(), Delaunay<>(left, d).hash()) << "step " << step;
+  }
+}
+
+TEST(LatticeMoves, MayComeAfterBatches) {
+  for (int d = 2; d <= 4; ++d)
+    for (std::uint64_t seed = 0; seed < test::scaled_count(60); ++seed)
+      ASSERT_NO_FATAL_FAILURE(expect_edits(d, seed));
 }
 
 TEST(LatticeMoves, OfAPeakOnAFaceLeaveTheFace) {
