@@ -60,9 +60,10 @@ class UndoLog {
     was_there_ = std::vector<std::uint64_t>();
   }
 
-  /// Notes those of the cells that are about to die that were there in the beginning. Throws std::bad_alloc,
-  /// and then changes nothing. A cell that does not die after all is put back as it was.
+  /// Notes those of the cells that are about to die that were there in the beginning, if it is on. Throws
+  /// std::bad_alloc, and then changes nothing. A cell that does not die after all is put back as it was.
   void note(const CellStore<K>& cells, std::span<const Index> dying) {
+    if (!is_on_) return;
     const std::size_t size = size_of_note(cells), needed = (num_notes_ + dying.size()) * size;
     if (needed > notes_.capacity()) notes_.reserve(needed + needed / 2);
     if (is_small_) changed_.reserve(dying.size());
