@@ -62,16 +62,14 @@ class Refinement {
     for (std::size_t i = 0; i < is_in_doubt.size(); ++i)
       if (is_in_doubt[i] != 0) grid.include(point(i).data());
     std::vector<std::size_t> beyond;
+    // All rows of the shell stay, and so do those that are equal to one. Of other equal rows some may be
+    // certainly inside and some in doubt, which are then found to be inside, too.
     std::vector<char> is_inside(sieve_.num_remaining(), 0);
     for (std::size_t i = 0; i < is_in_doubt.size(); ++i) {
-      if (is_in_doubt[i] == 0) {
-        // Certainly inside: an equal row may be in doubt, which is then found to be inside, too.
-        is_inside[i] = sieve_.is_in_shell(i) ? 0 : 1;
-        continue;
-      }
-      const Sign side = locator.locate_from(growth.cell_of(i), point(i).data(), grid).side;
+      Sign side = Sign::positive;
+      if (is_in_doubt[i] != 0) side = locator.locate_from(growth.cell_of(i), point(i).data(), grid).side;
       if (side == Sign::negative) beyond.push_back(i);
-      if (side == Sign::positive) is_inside[i] = 1;
+      if (side == Sign::positive) is_inside[i] = shell.find(point(i).data()) == invalid_index ? 1 : 0;
     }
     // The others are in this shell, and in larger ones.
     if (!beyond.empty()) {

@@ -44,6 +44,8 @@ class HullState {
   bool raises_dimension(const double* point) const;
 
   const BoundarySites& sites() const { return sites_; }
+  /// The site of an equal row; invalid_index if there is none.
+  Index find(const double* row) const { return sites_.find(row); }
   const kernel::AffineHull& affine_hull() const { return affine_hull_; }
   /// Sites that span the flat.
   const std::vector<Index>& basis() const { return basis_; }

@@ -226,6 +226,23 @@ TEST(SweptWalls, HaveEqualRowsTogether) {
   }
 }
 
+// Rows near the corners may belong to the first shells, and be inside of the last one, where others equal
+// them.
+TEST(SweptWalls, HaveEqualRowsOfShellsTogether) {
+  for (const std::uint64_t seed : {223, 227, 290, 390}) {
+    test::Random random(seed);
+    Coordinates rows(3 * std::size_t{1300});
+    for (std::size_t i = 0; i < rows.size(); i += 3) {
+      for (std::size_t j = i; j < i + 3; ++j) rows[j] = static_cast<double>(random.integer(-3, 3));
+      rows[i + random.bits() % 3] = random.bits() % 2 == 0 ? -3 : 3;
+      double& x = rows[i + random.bits() % 3];
+      if (random.bits() % 20 == 0) x = std::nextafter(x, random.bits() % 2 == 0 ? -9 : 9);
+    }
+    const CheckReport report = check(ConvexHull<>(PointsView{rows, 3}).to_data());
+    EXPECT_TRUE(report.ok) << report << " seed " << seed;
+  }
+}
+
 TEST(SweptWalls, PassTheChecks) {
   const std::size_t n = test::scaled_size(2000, 1100);
   for (int d = 2; d <= 4; ++d) {
