@@ -510,7 +510,7 @@ class Alarm(Exception):
 
 def long_edits(kind):
     """A triangulation, and edits of it that take long: one vertex after the other, and by cells that are built anew."""
-    random, n = np.random.default_rng(6), 200 if kind is delone.FurthestSite else 400
+    random, n = np.random.default_rng(6), 200 if kind is delone.FurthestSite else 1200
     points, more = random.standard_normal((n, 6)), random.standard_normal((100_000, 6))
     if kind is delone.FurthestSite:  # none is inside
         points /= np.linalg.norm(points, axis=1, keepdims=True)
